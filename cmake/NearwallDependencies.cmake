@@ -1,0 +1,16 @@
+# Third-party packages, all from Debian (cmake/debian-packages.txt).
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+set(NEARWALL_VTK_COMPONENTS
+    CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersGeometry FiltersExtraction
+    FiltersSources IOCore IOGeometry IOImage IOLegacy IOPLY IOXML RenderingAnnotation RenderingCore
+    RenderingFreeType RenderingOpenGL2)
+find_package(Threads REQUIRED)
+find_package(CGAL 5.5 REQUIRED)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${NEARWALL_VTK_COMPONENTS})
+find_package(TBB 2021 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(tomlplusplus 3 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Eigen3 3.4 REQUIRED)
+find_package(ZLIB REQUIRED)

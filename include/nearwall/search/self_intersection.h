@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "nearwall/core/vec3.h"
+
+namespace nearwall::search {
+
+/// A triangle soup that knows which corners are one node: triangles that share a node number share the point.
+struct IndexedTriangles {
+  std::span<const Vec3> points;                                 ///< (n_points)
+  std::span<const std::array<std::uint32_t, 3>> triangles;      ///< (n_triangles), indices into points
+};
+
+/// All pairs (i < j) of triangles that meet elsewhere than in the corners and edges they share by index. Exact. Pairs
+/// sorted. Box filter (CGAL's box intersection), then predicates/intersection.h.
+/// \param moved  if not empty (n_triangles): only pairs in which at least one triangle is marked are looked at
+/// Cost: O(n log n + pairs of boxes), on all threads.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const IndexedTriangles& soup,
+                                                                        std::span<const char> moved = {});
+
+}  // namespace nearwall::search

@@ -1,0 +1,24 @@
+#include "nearwall/geometry/angles.h"
+
+#include <cmath>
+
+namespace nearwall::geometry {
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
+double corner_angle(const Vec3& apex, const Vec3& b, const Vec3& c) { return angle_between(b - apex, c - apex); }
+
+double edge_turn(const Vec3& left, const Vec3& right, const Vec3& along) {
+  // For a convex edge the normal turns from right to left about the edge's direction: (right x left) . along > 0.
+  const double size = angle_between(left, right);
+  return dot(cross(right, left), along) < 0 ? -size : size;
+}
+
+Vec3 slerp(const Vec3& a, const Vec3& b, double t) {
+  const double angle = angle_between(a, b);
+  const double sine = std::sin(angle);
+  if (!(sine > 0)) return a;
+  return normalized(a * std::sin((1 - t) * angle) + b * std::sin(t * angle));
+}
+
+}  // namespace nearwall::geometry
