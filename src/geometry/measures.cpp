@@ -36,7 +36,8 @@ double wedge_volume(std::span<const Vec3, 6> p) {
 
 double hexahedron_volume(std::span<const Vec3, 8> p) {
   // Boundary integral over the six bilinear faces about p0: exact for the trilinear map.
-  static constexpr int kFaces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  static constexpr int kFaces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   double sum = 0;
   for (const auto& face : kFaces) {
     const Vec3 a = p[face[0]] - p[0], b = p[face[1]] - p[0], c = p[face[2]] - p[0], d = p[face[3]] - p[0];

@@ -9,7 +9,8 @@ namespace detail {
 [[noreturn]] void fail_expectation(std::string_view what, const std::source_location& where);
 }
 
-/// Checks an invariant of our own, always: a failure is a defect of nearwall and throws InternalError. For cheap checks.
+/// Checks an invariant of our own, always: a failure is a defect of nearwall and throws InternalError. For cheap
+/// checks.
 inline void expect(bool holds, std::string_view what,
                    const std::source_location& where = std::source_location::current()) {
   if (!holds) detail::fail_expectation(what, where);

@@ -80,8 +80,6 @@ constexpr double max_norm(const Vec3& a) {
   return xy < z ? z : xy;
 }
 
-inline bool is_finite(const Vec3& a) {
-  return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
-}
+inline bool is_finite(const Vec3& a) { return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z()); }
 
 }  // namespace nearwall

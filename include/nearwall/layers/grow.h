@@ -22,37 +22,37 @@ struct PatchSchedule {
 };
 
 struct GrowOptions {
-  IdVector<PatchId, PatchSchedule> schedules;           ///< (n_patches)
+  IdVector<PatchId, PatchSchedule> schedules;  ///< (n_patches)
   surface::NormalMethod normals = surface::NormalMethod::MostVisible;
   surface::SmoothingFilter filter = surface::SmoothingFilter::Taubin;
-  std::optional<int> smoothing_iterations;              ///< nullopt: follows thickness / edge length
+  std::optional<int> smoothing_iterations;  ///< nullopt: follows thickness / edge length
 };
 
 /// How a wall came out of growing, line by line and face by face.
 struct Growth {
   mesh::Front front;
   mesh::Lines lines;
-  IdVector<VertexId, surface::PointNormal> normals;     ///< before smoothing: what the vertex sees
-  IdVector<LineId, double> asked_thickness;             ///< normal to the wall [length]; 0 where nothing is asked
-  IdVector<LineId, double> reached_thickness;           ///< normal to the wall [length]
-  IdVector<LineId, Level> asked_levels;                 ///< layers asked for
-  IdVector<LineId, mesh::LimitReason> reason;           ///< None where all was reached
-  int rounds = 0;                                       ///< of certify and shrink
+  IdVector<VertexId, surface::PointNormal> normals;  ///< before smoothing: what the vertex sees
+  IdVector<LineId, double> asked_thickness;          ///< normal to the wall [length]; 0 where nothing is asked
+  IdVector<LineId, double> reached_thickness;        ///< normal to the wall [length]
+  IdVector<LineId, Level> asked_levels;              ///< layers asked for
+  IdVector<LineId, mesh::LimitReason> reason;        ///< None where all was reached
+  int rounds = 0;                                    ///< of certify and shrink
   int smoothing_iterations = 0;
 };
 
 /// The wall as `grow` reads it.
 struct Wall {
-  const mesh::SurfaceMesh& surface;                     ///< admitted, normals into the fluid
+  const mesh::SurfaceMesh& surface;  ///< admitted, normals into the fluid
   const mesh::Topology& topology;
   const surface::Features& features;
-  const IdVector<FaceId, char>& is_wetted;              ///< (n_faces) 0: on a component that the fluid cannot reach
-  bool fluid_is_inside = false;                         ///< the fluid does not reach infinity
+  const IdVector<FaceId, char>& is_wetted;  ///< (n_faces) 0: on a component that the fluid cannot reach
+  bool fluid_is_inside = false;             ///< the fluid does not reach infinity
 };
 
-/// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what fails
-/// is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md.
-/// Memory: O(n_vertices + n_faces), whatever the number of layers.
+/// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what
+/// fails is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md. Memory:
+/// O(n_vertices + n_faces), whatever the number of layers.
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress = silent_progress());
 
 }  // namespace nearwall::layers

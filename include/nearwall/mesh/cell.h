@@ -13,7 +13,7 @@ enum class CellType : std::uint8_t { Tetrahedron, Pyramid, Wedge, Hexahedron };
 inline constexpr std::size_t kNCellTypes = 4;
 inline constexpr std::array<int, kNCellTypes> kCellSize = {4, 5, 6, 8};
 inline constexpr std::array<std::string_view, kNCellTypes> kCellTypeNames = {"tetrahedron", "pyramid", "wedge",
-                                                                            "hexahedron"};
+                                                                             "hexahedron"};
 
 constexpr int size_of(CellType type) { return kCellSize[static_cast<std::size_t>(type)]; }
 

@@ -17,9 +17,9 @@ struct FrontFace {
 /// The front as topology: its vertices are lines. Front faces 0 … n_wall_faces − 1 stand over the wall triangles of the
 /// same number; virtual faces, of zero size at the wall, follow where a vertex owns several lines.
 struct Front {
-  std::vector<std::uint32_t> first_line;           ///< (n_vertices + 1): vertex v owns lines first_line[v] … first_line[v+1] − 1
-  IdVector<LineId, VertexId> line_vertex;          ///< (n_lines)
-  IdVector<FrontFaceId, FrontFace> faces;          ///< (n_front_faces)
+  std::vector<std::uint32_t> first_line;  ///< (n_vertices + 1): vertex v owns lines first_line[v] … first_line[v+1] − 1
+  IdVector<LineId, VertexId> line_vertex;  ///< (n_lines)
+  IdVector<FrontFaceId, FrontFace> faces;  ///< (n_front_faces)
   std::size_t n_wall_faces = 0;
 
   std::size_t n_lines() const { return line_vertex.size(); }

@@ -10,8 +10,8 @@
 
 namespace nearwall::mesh {
 
-/// The cell of the column over one front face between `level` and `level + 1`, by the one rule: take the bottom nodes and
-/// the top nodes and drop repeats. nullopt where three nodes or fewer are left. Source: docs/theory/columns.md.
+/// The cell of the column over one front face between `level` and `level + 1`, by the one rule: take the bottom nodes
+/// and the top nodes and drop repeats. nullopt where three nodes or fewer are left. Source: docs/theory/columns.md.
 std::optional<LayerCell> column_cell(const Front& front, const Lines& lines, FrontFaceId face, Level level);
 
 /// All layers: front and lines, and the numbering of nodes and cells that follows from them. Cells are derived, never

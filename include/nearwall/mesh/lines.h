@@ -10,8 +10,8 @@
 
 namespace nearwall::mesh {
 
-/// Stacks of heights that lines refer to: row r holds the distances from the wall of levels 0 … n_levels, as multiples of
-/// nothing, in the unit of the surface. Row r + 1 is a slightly flatter stack of the same first height than row r.
+/// Stacks of heights that lines refer to: row r holds the distances from the wall of levels 0 … n_levels, as multiples
+/// of nothing, in the unit of the surface. Row r + 1 is a slightly flatter stack of the same first height than row r.
 class HeightTable {
  public:
   HeightTable() = default;
@@ -35,7 +35,8 @@ struct Heights {
   double weight_1 = 0;
 };
 
-/// The line moves between its levels start and end only: it stays at the wall up to `start` and at P(end) from `end` on.
+/// The line moves between its levels start and end only: it stays at the wall up to `start` and at P(end) from `end`
+/// on.
 struct Window {
   Level start = 0;
   Level end = 0;
@@ -52,11 +53,11 @@ struct Piece {
 /// The extrusion lines: base point, straight pieces, heights and window of each; never their points.
 class Lines {
  public:
-  IdVector<LineId, Vec3> base;            ///< (n_lines)
-  std::vector<std::uint32_t> first_piece; ///< (n_lines + 1)
+  IdVector<LineId, Vec3> base;             ///< (n_lines)
+  std::vector<std::uint32_t> first_piece;  ///< (n_lines + 1)
   std::vector<Piece> pieces;
-  IdVector<LineId, Heights> heights;      ///< (n_lines)
-  IdVector<LineId, Window> windows;       ///< (n_lines)
+  IdVector<LineId, Heights> heights;  ///< (n_lines)
+  IdVector<LineId, Window> windows;   ///< (n_lines)
   HeightTable table;
 
   std::size_t size() const { return base.size(); }
@@ -68,8 +69,7 @@ class Lines {
     const Level j = level < w.end ? level : w.end;
     const Heights& h = heights[line];
     const double* row = table.row(h.row);
-    return h.weight_1 == 0 ? h.weight_0 * row[j]
-                           : h.weight_0 * row[j] + h.weight_1 * row[table.n_levels() + 1u + j];
+    return h.weight_1 == 0 ? h.weight_0 * row[j] : h.weight_0 * row[j] + h.weight_1 * row[table.n_levels() + 1u + j];
   }
 
   /// The one source of coordinates: the point of `line` at `level`. Certificate, front and writers all call it.

@@ -9,7 +9,8 @@ namespace nearwall::mesh {
 
 /// Adjacency of a manifold, consistently oriented surface, closed or with boundary.
 ///
-/// Halfedge 3 f + k runs from corner k of face f to corner k + 1 and has f on its left. Cost: O(n_faces) time and memory.
+/// Halfedge 3 f + k runs from corner k of face f to corner k + 1 and has f on its left. Cost: O(n_faces) time and
+/// memory.
 class Topology {
  public:
   /// \throws GeometryError if an edge has more than two faces or two faces that run along it in the same direction, or
@@ -19,11 +20,17 @@ class Topology {
   std::size_t n_vertices() const { return fan_offset_.size() - 1; }
   std::size_t n_faces() const { return twin_.size() / 3; }
 
-  static HalfedgeId halfedge(FaceId f, int k) { return HalfedgeId(3 * std::size_t{f.index()} + static_cast<std::size_t>(k)); }
+  static HalfedgeId halfedge(FaceId f, int k) {
+    return HalfedgeId(3 * std::size_t{f.index()} + static_cast<std::size_t>(k));
+  }
   static FaceId face(HalfedgeId h) { return FaceId(h.index() / 3); }
   static int corner(HalfedgeId h) { return static_cast<int>(h.index() % 3); }
-  static HalfedgeId next(HalfedgeId h) { return h.index() % 3 == 2 ? HalfedgeId(h.index() - 2) : HalfedgeId(h.index() + 1); }
-  static HalfedgeId previous(HalfedgeId h) { return h.index() % 3 == 0 ? HalfedgeId(h.index() + 2) : HalfedgeId(h.index() - 1); }
+  static HalfedgeId next(HalfedgeId h) {
+    return h.index() % 3 == 2 ? HalfedgeId(h.index() - 2) : HalfedgeId(h.index() + 1);
+  }
+  static HalfedgeId previous(HalfedgeId h) {
+    return h.index() % 3 == 0 ? HalfedgeId(h.index() + 2) : HalfedgeId(h.index() - 1);
+  }
 
   VertexId origin(HalfedgeId h) const { return origin_[h.index()]; }
   VertexId target(HalfedgeId h) const { return origin_[next(h).index()]; }

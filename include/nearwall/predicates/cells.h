@@ -26,8 +26,9 @@ struct WedgeColumn {
   const double* z[3];
 };
 
-/// First level j in [0, n_levels) whose wedge (levels j, j + 1 of the three lines) is not positive; n_levels if all are.
-/// The same answers as `wedge`, many times as fast: doubles with a proven error bound, exact only where they leave it open.
+/// First level j in [0, n_levels) whose wedge (levels j, j + 1 of the three lines) is not positive; n_levels if all
+/// are. The same answers as `wedge`, many times as fast: doubles with a proven error bound, exact only where they leave
+/// it open.
 int first_bad_wedge(const WedgeColumn& column, int n_levels);
 
 }  // namespace nearwall::predicates

@@ -21,8 +21,9 @@ bool triangles_overlap_beyond_edge(const Triangle& a, const Triangle& b);
 /// How a ray from `origin` through `through` (and on) meets a triangle.
 enum class RayCrossing { None, Along, Against, Degenerate };
 
-/// Exact crossing of an unbounded ray with a triangle: Along if the ray runs to the side of the triangle's normal, Against
-/// if it comes from there; Degenerate if it meets an edge or a corner, runs in the plane, or starts on the triangle.
+/// Exact crossing of an unbounded ray with a triangle: Along if the ray runs to the side of the triangle's normal,
+/// Against if it comes from there; Degenerate if it meets an edge or a corner, runs in the plane, or starts on the
+/// triangle.
 RayCrossing ray_crossing(const Vec3& origin, const Vec3& through, const Triangle& t);
 
 }  // namespace nearwall::predicates

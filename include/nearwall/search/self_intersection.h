@@ -11,8 +11,8 @@ namespace nearwall::search {
 
 /// A triangle soup that knows which corners are one node: triangles that share a node number share the point.
 struct IndexedTriangles {
-  std::span<const Vec3> points;                                 ///< (n_points)
-  std::span<const std::array<std::uint32_t, 3>> triangles;      ///< (n_triangles), indices into points
+  std::span<const Vec3> points;                             ///< (n_points)
+  std::span<const std::array<std::uint32_t, 3>> triangles;  ///< (n_triangles), indices into points
 };
 
 /// All pairs (i < j) of triangles that meet elsewhere than in the corners and edges they share by index. Exact. Pairs

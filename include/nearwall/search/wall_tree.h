@@ -13,9 +13,9 @@
 
 namespace nearwall::search {
 
-/// Axis-aligned box tree over the triangles of a surface, for ray, gap and box queries. Queries may run on many threads.
-/// What is hit is decided exactly; distances are in doubles, computed the same way whatever the order of the axes.
-/// Cost: O(n log n) to build, O(log n + hits) a query.
+/// Axis-aligned box tree over the triangles of a surface, for ray, gap and box queries. Queries may run on many
+/// threads. What is hit is decided exactly; distances are in doubles, computed the same way whatever the order of the
+/// axes. Cost: O(n log n) to build, O(log n + hits) a query.
 class WallTree {
  public:
   explicit WallTree(const mesh::SurfaceMesh& surface);

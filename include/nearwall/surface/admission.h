@@ -12,8 +12,8 @@ namespace nearwall::surface {
 
 enum class FluidSide { Outside, Inside };
 
-/// None: nothing is changed. Safe: the repairs that cannot change the shape (turning round faces and components that are
-/// inside out, dropping exact duplicates of triangles and triangles with a repeated corner).
+/// None: nothing is changed. Safe: the repairs that cannot change the shape (turning round faces and components that
+/// are inside out, dropping exact duplicates of triangles and triangles with a repeated corner).
 enum class Repair { None, Safe };
 
 enum class FaultKind : std::uint8_t {
@@ -50,9 +50,9 @@ struct AdmissionPolicy {
 /// What part a component plays, from its nesting among the others: even depth bounds a body, odd depth a cavity.
 struct Component {
   std::size_t n_faces = 0;
-  double volume = 0;           ///< enclosed, signed by the orientation of the file
-  int depth = 0;               ///< number of other components round it
-  bool is_wetted = true;       ///< false: the fluid cannot reach it; it gets no layers
+  double volume = 0;      ///< enclosed, signed by the orientation of the file
+  int depth = 0;          ///< number of other components round it
+  bool is_wetted = true;  ///< false: the fluid cannot reach it; it gets no layers
 };
 
 /// A surface with all that was found. It is usable if there is no fault.
@@ -60,11 +60,11 @@ struct Admission {
   /// Points and triangles in the order of the input, oriented so that the normals of wetted components point into the
   /// fluid (unwetted ones as in the file). Repaired if so asked.
   mesh::SurfaceMesh surface;
-  IdVector<FaceId, FaceId> input_face;          ///< number of each triangle in the file; identity without repairs
-  IdVector<FaceId, ComponentId> face_component; ///< empty if the surface is not manifold
+  IdVector<FaceId, FaceId> input_face;           ///< number of each triangle in the file; identity without repairs
+  IdVector<FaceId, ComponentId> face_component;  ///< empty if the surface is not manifold
   IdVector<ComponentId, Component> components;
   std::vector<Fault> faults;
-  std::vector<std::string> repairs;             ///< what was repaired, a sentence each
+  std::vector<std::string> repairs;  ///< what was repaired, a sentence each
   std::size_t n_open_edges = 0;
   double closing_tolerance = 0;  ///< weld length that would close all open edges; 0 if there is none
   bool is_usable() const { return faults.empty(); }

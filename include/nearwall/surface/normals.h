@@ -36,9 +36,9 @@ Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring
 enum class NormalMethod { MostVisible, Angle };
 
 struct PointNormal {
-  Vec3 direction;            ///< unit vector; where nothing sees all faces, the angle-weighted normal
-  double max_angle = 0;      ///< to the worst adjacent face [rad]; >= pi / 2: blind
-  bool is_visible = true;    ///< decided exactly
+  Vec3 direction;          ///< unit vector; where nothing sees all faces, the angle-weighted normal
+  double max_angle = 0;    ///< to the worst adjacent face [rad]; >= pi / 2: blind
+  bool is_visible = true;  ///< decided exactly
 };
 
 /// One normal for each vertex. MostVisible takes the angle-weighted mean where its worst cosine is above

@@ -11,9 +11,9 @@ enum class SmoothingFilter { None, Laplacian, Taubin };
 
 struct SmoothingOptions {
   SmoothingFilter filter = SmoothingFilter::Taubin;
-  int iterations = 0;     ///< sweeps; a Taubin sweep is one lambda and one mu step
-  double lambda = 0.5;    ///< step of the Laplacian, (0, 1]
-  double mu = -0.53;      ///< counter-step of Taubin, < -lambda (Taubin 1995)
+  int iterations = 0;   ///< sweeps; a Taubin sweep is one lambda and one mu step
+  double lambda = 0.5;  ///< step of the Laplacian, (0, 1]
+  double mu = -0.53;    ///< counter-step of Taubin, < -lambda (Taubin 1995)
 };
 
 /// Smooths the normals of the vertices. Corners, ridge ends and tips keep theirs; ridge vertices look at their two
