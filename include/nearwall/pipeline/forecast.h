@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "nearwall/geometry/box.h"
+#include "nearwall/mesh/surface_mesh.h"
+#include "nearwall/pipeline/case.h"
+
+namespace nearwall {
+
+/// What a run will make and need, known from the surface and the schedules alone. Upper bounds: layers that are blocked
+/// make it less.
+struct Forecast {
+  std::uint64_t n_points = 0;
+  std::uint64_t n_cells = 0;
+  std::uint64_t memory_bytes = 0;  ///< peak while the mesh file is written
+  std::uint64_t disk_bytes = 0;    ///< all files
+  geometry::Box box;               ///< of the wall, in the case's unit
+  Level largest_count = 0;         ///< layers of the patch that has most
+};
+
+/// \param patches    (n_patches) as of resolve_patches
+/// \param is_wetted  (n_faces)
+Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
+                  const IdVector<FaceId, char>& is_wetted);
+
+/// A sentence or two: cells, points, memory, disk, bounding box.
+std::string describe(const Forecast& forecast);
+
+}  // namespace nearwall
