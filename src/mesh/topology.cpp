@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,11 +14,18 @@ namespace nearwall::mesh {
 
 namespace {
 
-/// Halfedges grouped by their origin: group v is sorted[offset[v]] … sorted[offset[v + 1] − 1], in increasing order.
+/// Halfedges grouped by their origin and sorted by their target: group v is sorted[offset[v]] … sorted[offset[v + 1] −
+/// 1].
 struct ByOrigin {
   std::vector<std::uint32_t> offset;
   std::vector<HalfedgeId> sorted;
+
+  std::span<const HalfedgeId> group(VertexId v) const {
+    return {sorted.data() + offset[v.index()], sorted.data() + offset[v.index() + 1]};
+  }
 };
+
+VertexId target_of(const std::vector<VertexId>& origin, HalfedgeId h) { return origin[Topology::next(h).index()]; }
 
 ByOrigin group_by_origin(const std::vector<VertexId>& origin, std::size_t n_vertices) {
   ByOrigin groups;
@@ -26,7 +35,23 @@ ByOrigin group_by_origin(const std::vector<VertexId>& origin, std::size_t n_vert
   groups.sorted.resize(origin.size());
   std::vector<std::uint32_t> next(groups.offset.begin(), groups.offset.end() - 1);
   for (std::size_t h = 0; h < origin.size(); ++h) groups.sorted[next[origin[h].index()]++] = HalfedgeId(h);
+  for (std::size_t v = 0; v < n_vertices; ++v) {
+    std::sort(groups.sorted.begin() + groups.offset[v], groups.sorted.begin() + groups.offset[v + 1],
+              [&](HalfedgeId a, HalfedgeId b) {
+                return std::pair(target_of(origin, a), a) < std::pair(target_of(origin, b), b);
+              });
+  }
   return groups;
+}
+
+/// The halfedges of the group that end at `to`.
+std::span<const HalfedgeId> halfedges_to(const std::vector<VertexId>& origin, std::span<const HalfedgeId> group,
+                                         VertexId to) {
+  const auto begin =
+      std::partition_point(group.begin(), group.end(), [&](HalfedgeId h) { return target_of(origin, h) < to; });
+  auto end = begin;
+  while (end != group.end() && target_of(origin, *end) == to) ++end;
+  return {begin, end};
 }
 
 [[noreturn]] void reject_edge(VertexId a, VertexId b, FaceId f) {
@@ -48,16 +73,13 @@ Topology::Topology(const SurfaceMesh& mesh) {
   for (std::size_t i = 0; i < origin_.size(); ++i) {
     const HalfedgeId h(i);
     const VertexId from = origin(h), to = target(h);
-    for (std::uint32_t k = groups.offset[to.index()]; k < groups.offset[to.index() + 1]; ++k) {
-      const HalfedgeId candidate = groups.sorted[k];
-      if (target(candidate) != from) continue;
-      if (twin_[i].is_valid()) reject_edge(from, to, face(h));
-      twin_[i] = candidate;
+    const auto back = halfedges_to(origin_, groups.group(to), from);
+    if (back.size() > 1 || halfedges_to(origin_, groups.group(from), to).size() > 1) reject_edge(from, to, face(h));
+    if (back.empty()) {
+      is_closed_ = false;
+    } else {
+      twin_[i] = back.front();
     }
-    for (std::uint32_t k = groups.offset[from.index()]; k < groups.offset[from.index() + 1]; ++k) {
-      if (groups.sorted[k] != h && target(groups.sorted[k]) == to) reject_edge(from, to, face(h));
-    }
-    if (!twin_[i].is_valid()) is_closed_ = false;
   }
 
   fan_offset_ = groups.offset;
