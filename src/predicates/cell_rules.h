@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "predicates/formulas.h"
+#include "predicates/verdict.h"
+
+/// The rules by which wedges and hexahedra are judged, for number types T that know is_positive(T) and
+/// is_nonnegative(T).
+namespace nearwall::predicates {
+
+/// docs/theory/predicates.md, Eq. (8).
+template <class T>
+Verdict is_positive_on_unit_interval(const Quadratic<T>& q) {
+  const Verdict ends = both(is_positive(q.c0), is_positive(q.c2));
+  if (ends == Verdict::No) return Verdict::No;
+  const Verdict middle = is_nonnegative(q.twice_c1);
+  if (middle == Verdict::Yes) return ends;
+  const T product = q.c0 * q.c2;
+  const T twice = product + product;
+  return both(ends, either(middle, is_positive((twice + twice) - q.twice_c1 * q.twice_c1)));
+}
+
+template <class T>
+Verdict wedge_verdict(std::span<const Vec3, 6> p) {
+  Verdict all = Verdict::Yes;
+  for (const Quadratic<T>& q : wedge_quadratics(wedge_edges<T>(p))) all = both(all, is_positive_on_unit_interval(q));
+  return all;
+}
+
+/// Bernstein coefficients of a polynomial of degree 2 in each of three variables, at 9 i + 3 j + k, all times one
+/// factor.
+template <class T>
+using Triquadratic = std::array<T, 27>;
+
+/// 8 det J of a hexahedron. docs/theory/predicates.md, Eq. (10).
+template <class T>
+Triquadratic<T> hexahedron_coefficients(std::span<const Vec3, 8> p) {
+  const auto node = [&](int u, int v, int w) -> const Vec3& { return p[4 * w + (v == 0 ? u : 3 - u)]; };
+  Triquadratic<T> sum;
+  sum.fill(T(0.0));
+  // The sixteen choices of bits are u of X_v, v of X_u, w of X_u and w of X_v; the four of X_w follow inside.
+  for (int bits = 0; bits < 16; ++bits) {
+    const int uv = bits & 1, vu = bits >> 1 & 1, wu = bits >> 2 & 1, wv = bits >> 3 & 1;
+    const Vector<T> area = cross(edge<T>(node(0, vu, wu), node(1, vu, wu)), edge<T>(node(uv, 0, wv), node(uv, 1, wv)));
+    for (int uw = 0; uw < 2; ++uw) {
+      for (int vw = 0; vw < 2; ++vw) {
+        T& c = sum[9 * (uv + uw) + 3 * (vu + vw) + (wu + wv)];
+        c = c + dot(area, edge<T>(node(uw, vw, 0), node(uw, vw, 1)));
+      }
+    }
+  }
+  for (int index = 0; index < 27; ++index) {
+    const bool middle[3] = {index / 9 == 1, index / 3 % 3 == 1, index % 3 == 1};
+    sum[index] = sum[index] * T(8.0 / ((1 + middle[0]) * (1 + middle[1]) * (1 + middle[2])));
+  }
+  return sum;
+}
+
+/// Halves the box along the axis whose coefficients lie `stride` apart; four times the two halves' coefficients.
+template <class T>
+std::pair<Triquadratic<T>, Triquadratic<T>> halves(const Triquadratic<T>& c, int stride) {
+  const auto twice = [](const T& a) { return a + a; };
+  std::pair<Triquadratic<T>, Triquadratic<T>> h;
+  for (int i = 0; i < 27; ++i) {
+    if (i / stride % 3 != 0) continue;
+    const T &a = c[i], &b = c[i + stride], &d = c[i + 2 * stride];
+    const T left = a + b, right = b + d, centre = left + right;
+    h.first[i] = twice(twice(a)), h.first[i + stride] = twice(left), h.first[i + 2 * stride] = centre;
+    h.second[i] = centre, h.second[i + stride] = twice(right), h.second[i + 2 * stride] = twice(twice(d));
+  }
+  return h;
+}
+
+/// No: a value at a corner, that is the polynomial itself there, is not positive. Yes: all coefficients are positive.
+/// `settled` tells whether that answer stands; if not, the box has to be cut up.
+template <class T>
+Verdict box_verdict(const Triquadratic<T>& c, bool& settled) {
+  Verdict corners = Verdict::Yes, all = Verdict::Yes;
+  for (int i = 0; i < 27; ++i) {
+    const Verdict sign = is_positive(c[i]);
+    all = both(all, sign);
+    if (i / 9 != 1 && i / 3 % 3 != 1 && i % 3 != 1) corners = both(corners, sign);
+  }
+  settled = corners == Verdict::No || all == Verdict::Yes;
+  return corners == Verdict::No ? Verdict::No : all;
+}
+
+inline constexpr int kMaxHalvings = 8;              ///< boxes of 2^-8 of the cell are not cut any more
+inline constexpr std::size_t kMaxOpenBoxes = 1024;  ///< nor are more than these at a time
+
+/// Level by level, so that the answer does not depend on the numbering of the nodes (Johnen, Remacle and Geuzaine
+/// 2013).
+template <class T>
+Verdict hexahedron_verdict(std::span<const Vec3, 8> p) {
+  std::vector<Triquadratic<T>> open{hexahedron_coefficients<T>(p)};
+  for (int level = 0; level <= kMaxHalvings; ++level) {
+    std::vector<Triquadratic<T>> left_open;
+    for (auto& box : open) {
+      bool settled = false;
+      const Verdict verdict = box_verdict(box, settled);
+      if (settled && verdict == Verdict::No) return Verdict::No;
+      if (!settled) left_open.push_back(std::move(box));
+    }
+    if (left_open.empty()) return Verdict::Yes;
+    if (left_open.size() > kMaxOpenBoxes) return Verdict::Open;
+    open.clear();
+    for (const auto& box : left_open) {
+      const auto slabs = halves(box, 9);
+      for (const auto& slab : {slabs.first, slabs.second}) {
+        const auto bars = halves(slab, 3);
+        for (const auto& bar : {bars.first, bars.second}) {
+          auto cubes = halves(bar, 1);
+          open.push_back(std::move(cubes.first));
+          open.push_back(std::move(cubes.second));
+        }
+      }
+    }
+  }
+  return Verdict::Open;
+}
+
+}  // namespace nearwall::predicates

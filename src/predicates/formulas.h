@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "nearwall/core/vec3.h"
+
+/// The polynomials behind the predicates, each written once, for any number type that adds and multiplies: double (with
+/// a static error bound beside it), Bounded, and the exact numbers of exact_cgal.cpp.
+namespace nearwall::predicates {
+
+template <class T>
+struct Vector {
+  T x, y, z;
+
+  friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+};
+
+template <class T>
+Vector<T> as_vector(const Vec3& a) {
+  return {T(a.x()), T(a.y()), T(a.z())};
+}
+
+/// b − a.
+template <class T>
+Vector<T> edge(const Vec3& a, const Vec3& b) {
+  return {T(b.x()) - T(a.x()), T(b.y()) - T(a.y()), T(b.z()) - T(a.z())};
+}
+
+template <class T>
+Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T>
+T dot(const Vector<T>& a, const Vector<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+T orientation_determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return dot(cross(edge<T>(a, b), edge<T>(a, c)), edge<T>(a, d));
+}
+
+/// Positive if c and d lie on one side of the line (a, b) of their common plane, zero if one of them is on it.
+template <class T>
+T same_side_product(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vector<T> ab = edge<T>(a, b);
+  return dot(cross(ab, edge<T>(a, c)), cross(ab, edge<T>(a, d)));
+}
+
+/// Edge vectors of a wedge a0 a1 a2 | b0 b1 b2.
+template <class T>
+struct WedgeEdges {
+  Vector<T> a1, a2;               ///< a1 − a0, a2 − a0
+  Vector<T> b1, b2;               ///< b1 − b0, b2 − b0
+  std::array<Vector<T>, 3> rise;  ///< bi − ai
+};
+
+template <class T>
+WedgeEdges<T> wedge_edges(std::span<const Vec3, 6> p) {
+  return {edge<T>(p[0], p[1]),
+          edge<T>(p[0], p[2]),
+          edge<T>(p[3], p[4]),
+          edge<T>(p[3], p[5]),
+          {edge<T>(p[0], p[3]), edge<T>(p[1], p[4]), edge<T>(p[2], p[5])}};
+}
+
+/// c0 (1 − s)² + twice_c1 s (1 − s) + c2 s² on [0, 1].
+template <class T>
+struct Quadratic {
+  T c0, twice_c1, c2;
+};
+
+/// det J of a wedge is the sum of its barycentric coordinates times these. docs/theory/predicates.md, Eq. (7).
+template <class T>
+std::array<Quadratic<T>, 3> wedge_quadratics(const WedgeEdges<T>& e) {
+  const Vector<T> bottom = cross(e.a1, e.a2);
+  const Vector<T> mixed = cross(e.a1, e.b2) + cross(e.b1, e.a2);
+  const Vector<T> top = cross(e.b1, e.b2);
+  const auto along = [&](const Vector<T>& h) { return Quadratic<T>{dot(bottom, h), dot(mixed, h), dot(top, h)}; };
+  return {along(e.rise[0]), along(e.rise[1]), along(e.rise[2])};
+}
+
+}  // namespace nearwall::predicates
