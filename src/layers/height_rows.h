@@ -7,8 +7,8 @@
 namespace nearwall::layers {
 
 /// The rows that one schedule has in the height table: row `first` is the stack as asked, each row after it is thinner
-/// with the same first height, the last one uniform. With heights h_k, row p holds h_1 (h_k / h_1)^p, p from 1 to 0: for
-/// a geometric stack the growth is lowered from r to r^p. Source: docs/theory/layers.md, Eq. (4).
+/// with the same first height, the last one uniform. With heights h_k, row p holds h_1 (h_k / h_1)^p, p from 1 to 0:
+/// for a geometric stack the growth is lowered from r to r^p. Source: docs/theory/layers.md, Eq. (4).
 struct ScheduleRows {
   std::size_t first = 0;
   std::vector<double> thickness;  ///< of each row, falling
@@ -16,8 +16,8 @@ struct ScheduleRows {
 
   double asked_thickness() const { return thickness.empty() ? 0.0 : thickness.front(); }
 
-  /// Heights of a line that may be `limit` thick: as asked if it fits, else flatter with the first height kept, and only
-  /// below the uniform stack with all heights scaled down.
+  /// Heights of a line that may be `limit` thick: as asked if it fits, else flatter with the first height kept, and
+  /// only below the uniform stack with all heights scaled down.
   mesh::Heights fit(double limit) const;
 };
 

@@ -6,25 +6,67 @@
 #include <utility>
 #include <vector>
 
+#include "nearwall/core/id_vector.h"
 #include "nearwall/core/progress.h"
 #include "nearwall/mesh/layer_mesh.h"
 #include "nearwall/mesh/surface_mesh.h"
 
 namespace nearwall::certify {
 
+/// Columns with a cell that is not positive everywhere, decided exactly on the coordinates that are written.
+struct BadColumn {
+  FrontFaceId face;
+  Level level = 0;  ///< of the bottom of its first such cell
+};
+
+/// Point 1 of the certificate. \param columns  which to look at, in increasing order; empty: all
+/// Cost: O(cells), on all threads; nothing is stored but the answer.
+std::vector<BadColumn> bad_columns(const mesh::Front& front, const mesh::Lines& lines,
+                                   std::span<const FrontFaceId> columns = {});
+
+/// The outer front as triangles over the ends of lines. Lines of one vertex that do not move share a point.
+struct FrontSurface {
+  std::vector<Vec3> points;                             ///< (n_lines)
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< (n_front_faces)
+};
+
+FrontSurface front_surface(const mesh::Front& front, const mesh::Lines& lines);
+
+/// Point 4: pairs of front triangles that meet anywhere but in what they share. Exact.
+/// \param changed  (n_front_faces) marks triangles to be looked at against all; empty: all
+std::vector<std::pair<FrontFaceId, FrontFaceId>> front_intersections(const FrontSurface& front,
+                                                                     std::span<const char> changed = {});
+
+/// Point 5: components of the front about which the others wind the wrong number of times: there two bodies' layers
+/// fill the same space, or one body's layers have swallowed the other body.
+/// \param face_component  (n_wall_faces) component of the wall, invalid where the fluid does not reach
+std::vector<ComponentId> covered_twice(const FrontSurface& front, const IdVector<FaceId, ComponentId>& face_component,
+                                       bool fluid_is_inside);
+
+/// What the certificate speaks about: the wall's triangles with their components.
+struct CertifiedWall {
+  const mesh::SurfaceMesh& surface;
+  IdVector<FaceId, ComponentId> face_component;  ///< (n_faces) invalid where the fluid does not reach
+  bool fluid_is_inside = false;
+};
+
 /// The certificate of a layer mesh, point by point (docs/theory/certificate.md). Conformity (2) holds by construction
 /// and the embedded wall (3) by admission.
 struct Certificate {
-  std::uint64_t n_cells = 0;
-  std::uint64_t n_not_positive = 0;         ///< (1) cells whose determinant is not positive everywhere
+  CellIndex n_cells = 0;
+  std::uint64_t n_bad_columns = 0;          ///< (1) columns with a cell that is not positive everywhere
   std::uint64_t n_front_intersections = 0;  ///< (4) pairs of front triangles that meet
   std::uint64_t n_covered_twice = 0;        ///< (5) front components whose winding number is wrong
   double cells_volume = 0;                  ///< sum of the volumes of all cells
   double enclosed_volume = 0;               ///< between wall and front, from their triangles alone
-  double front_volume = 0;                  ///< inside the front, absolute
-  bool is_valid() const { return n_not_positive == 0 && n_front_intersections == 0 && n_covered_twice == 0; }
-  /// | cells − enclosed | / front: a check of the program rather than of the mesh.
+  double front_volume = 0;                  ///< inside the front (outside it, for an internal flow), absolute
+
+  bool is_valid() const { return n_bad_columns == 0 && n_front_intersections == 0 && n_covered_twice == 0; }
+  /// | cells − enclosed | relative to the volume inside the front: a check of the program rather than of the mesh.
   double closure() const;
 };
+
+Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& wall,
+                           ProgressSink& progress = silent_progress());
 
 }  // namespace nearwall::certify

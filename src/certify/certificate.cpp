@@ -1,0 +1,91 @@
+#include "nearwall/certify/certificate.h"
+
+#include <cmath>
+
+#include "nearwall/core/parallel.h"
+#include "nearwall/geometry/box.h"
+#include "nearwall/geometry/measures.h"
+
+namespace nearwall::certify {
+
+namespace {
+
+using mesh::CellType;
+
+constexpr std::size_t kColumnsInBlock = 1024;
+
+double volume(const mesh::Lines& lines, const mesh::LayerCell& cell) {
+  std::array<Vec3, 8> p;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(mesh::size_of(cell.type)); ++k) {
+    p[k] = lines.position(cell.nodes[k].line, cell.nodes[k].level);
+  }
+  const std::span<const Vec3, 8> all(p);
+  switch (cell.type) {
+    case CellType::Tetrahedron:
+      return geometry::tetrahedron_volume(all.first<4>());
+    case CellType::Pyramid:
+      return geometry::pyramid_volume(all.first<5>());
+    case CellType::Wedge:
+      return geometry::wedge_volume(all.first<6>());
+    case CellType::Hexahedron:
+      return geometry::hexahedron_volume(all);
+  }
+  return 0;
+}
+
+double sum_of_cells(const mesh::LayerMesh& layers) {
+  std::vector<double> by_block((layers.n_columns() + kColumnsInBlock - 1) / kColumnsInBlock);
+  parallel_blocks(layers.n_columns(), kColumnsInBlock, [&](std::size_t begin, std::size_t end) {
+    geometry::CompensatedSum sum;
+    for (std::size_t f = begin; f < end; ++f) {
+      layers.for_each_cell(FrontFaceId(f),
+                           [&](const mesh::LayerCell& cell, Level) { sum.add(volume(layers.lines(), cell)); });
+    }
+    by_block[begin / kColumnsInBlock] = sum.value();
+  });
+  geometry::CompensatedSum total;
+  for (const double v : by_block) total.add(v);
+  return total.value();
+}
+
+/// Adds six times the volume of the cone over a triangle about `centre`.
+void add_cone(geometry::CompensatedSum& sum, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& centre) {
+  sum.add(dot(cross(a - centre, b - centre), c - centre));
+}
+
+}  // namespace
+
+double Certificate::closure() const {
+  return front_volume > 0 ? std::abs(cells_volume - enclosed_volume) / front_volume : 0;
+}
+
+Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& wall, ProgressSink& progress) {
+  progress.begin_stage("certificate");
+  Certificate result;
+  result.n_cells = layers.n_cells();
+  result.n_bad_columns = bad_columns(layers.front(), layers.lines()).size();
+  progress.update(0.3);
+  const FrontSurface front = front_surface(layers.front(), layers.lines());
+  result.n_front_intersections = front_intersections(front).size();
+  progress.update(0.7);
+  result.n_covered_twice = covered_twice(front, wall.face_component, wall.fluid_is_inside).size();
+  progress.update(0.8);
+
+  const Vec3 centre = geometry::bounding_box(wall.surface.points.raw()).centre();
+  geometry::CompensatedSum of_front, of_wall;
+  for (const FaceId f : wall.surface.faces.ids()) {
+    if (!wall.face_component[f].is_valid()) continue;
+    const auto& corners = front.triangles[f.index()];
+    add_cone(of_front, front.points[corners[0]], front.points[corners[1]], front.points[corners[2]], centre);
+    const auto t = wall.surface.triangle(f);
+    add_cone(of_wall, t[0], t[1], t[2], centre);
+  }
+  result.cells_volume = sum_of_cells(layers);
+  result.enclosed_volume = (of_front.value() - of_wall.value()) / 6;
+  result.front_volume = std::abs(of_front.value()) / 6;
+  progress.update(1.0);
+  progress.end_stage();
+  return result;
+}
+
+}  // namespace nearwall::certify

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <limits>
+
+#include "nearwall/certify/certificate.h"
+#include "nearwall/core/parallel.h"
+#include "nearwall/predicates/cells.h"
+
+namespace nearwall::certify {
+
+namespace {
+
+using mesh::CellType;
+using predicates::Positivity;
+
+constexpr std::size_t kColumnsInBlock = 512;
+
+/// Room for the points of three lines, kept by a thread from column to column.
+class ColumnBuffer {
+ public:
+  explicit ColumnBuffer(Level n_levels) : stride_(n_levels + std::size_t{1}), data_(9 * stride_) {}
+
+  /// Lays the points of the levels 0 … n_levels of a face's three lines.
+  predicates::WedgeColumn lay(const mesh::Lines& lines, const mesh::FrontFace& face, Level n_levels) {
+    predicates::WedgeColumn column{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      double* x = data_.data() + 3 * k * stride_;
+      lines.positions(face.lines[k], 0, n_levels, x, x + stride_, x + 2 * stride_);
+      column.x[k] = x;
+      column.y[k] = x + stride_;
+      column.z[k] = x + 2 * stride_;
+    }
+    return column;
+  }
+
+ private:
+  std::size_t stride_;
+  std::vector<double> data_;
+};
+
+bool is_positive(const mesh::Lines& lines, const mesh::LayerCell& cell) {
+  std::array<Vec3, 8> p;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(mesh::size_of(cell.type)); ++k) {
+    p[k] = lines.position(cell.nodes[k].line, cell.nodes[k].level);
+  }
+  const std::span<const Vec3, 8> all(p);
+  switch (cell.type) {
+    case CellType::Tetrahedron:
+      return predicates::tetrahedron(all.first<4>()) == Positivity::Positive;
+    case CellType::Pyramid:
+      return predicates::pyramid(all.first<5>()) == Positivity::Positive;
+    case CellType::Wedge:
+      return predicates::wedge(all.first<6>()) == Positivity::Positive;
+    case CellType::Hexahedron:
+      return predicates::hexahedron(all) == Positivity::Positive;
+  }
+  return false;
+}
+
+/// Level of the first cell of a column that is not positive; the line set's number of levels if there is none.
+Level first_bad_level(const mesh::Front& front, const mesh::Lines& lines, FrontFaceId f, ColumnBuffer& buffer) {
+  const Level none = std::numeric_limits<Level>::max();
+  const mesh::FrontFace& face = front.faces[f];
+  const mesh::Window w = lines.windows[face.lines[0]];
+  if (face.size() == 3 && w.start == 0 && w == lines.windows[face.lines[1]] && w == lines.windows[face.lines[2]]) {
+    if (!w.moves()) return none;
+    const int bad = predicates::first_bad_wedge(buffer.lay(lines, face, w.end), w.end);
+    return bad < w.end ? static_cast<Level>(bad) : none;
+  }
+  Level last = 0;
+  for (int k = 0; k < face.size(); ++k) {
+    last = std::max(last, lines.windows[face.lines[static_cast<std::size_t>(k)]].end);
+  }
+  for (Level level = 0; level < last; ++level) {
+    const auto cell = mesh::column_cell(front, lines, f, level);
+    if (cell && !is_positive(lines, *cell)) return level;
+  }
+  return none;
+}
+
+}  // namespace
+
+std::vector<BadColumn> bad_columns(const mesh::Front& front, const mesh::Lines& lines,
+                                   std::span<const FrontFaceId> columns) {
+  const std::size_t n = columns.empty() ? front.faces.size() : columns.size();
+  std::vector<std::vector<BadColumn>> by_block((n + kColumnsInBlock - 1) / kColumnsInBlock);
+  parallel_blocks(n, kColumnsInBlock, [&](std::size_t begin, std::size_t end) {
+    ColumnBuffer buffer(lines.table.n_levels());
+    for (std::size_t i = begin; i < end; ++i) {
+      const FrontFaceId f = columns.empty() ? FrontFaceId(i) : columns[i];
+      const Level bad = first_bad_level(front, lines, f, buffer);
+      if (bad != std::numeric_limits<Level>::max()) by_block[begin / kColumnsInBlock].push_back({f, bad});
+    }
+  });
+  std::vector<BadColumn> all;
+  for (const auto& block : by_block) all.insert(all.end(), block.begin(), block.end());
+  return all;
+}
+
+}  // namespace nearwall::certify

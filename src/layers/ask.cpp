@@ -1,0 +1,53 @@
+#include <tuple>
+
+#include "nearwall/core/parallel.h"
+#include "vertex_field.h"
+
+namespace nearwall::layers {
+
+namespace {
+
+using mesh::LimitReason;
+using mesh::Topology;
+
+}  // namespace
+
+VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& rows) {
+  const std::size_t n = wall.surface.points.size();
+  VertexField field;
+  field.direction.resize(n);
+  field.stretch.resize(n, 1.0);
+  field.schedule.resize(n, 0);
+  field.asked.resize(n, 0.0);
+  field.thickness.resize(n, 0.0);
+  field.reason.resize(n, LimitReason::None);
+  parallel_for(n, [&](std::size_t i) {
+    const VertexId v(i);
+    std::size_t n_without = 0;
+    const auto fan = wall.topology.fan(v);
+    std::tuple<Level, double> least{};
+    bool is_first = true;
+    for (const HalfedgeId h : fan) {
+      const FaceId f = Topology::face(h);
+      const PatchId patch = wall.surface.face_patch[f];
+      if (!wall.is_wetted[f] || !options.schedules[patch].has_layers) {
+        ++n_without;
+        continue;
+      }
+      const ScheduleRows& schedule = rows.schedule(patch.index());
+      const std::tuple size(schedule.n_levels, schedule.asked_thickness());
+      if (is_first || size < least) {
+        least = size;
+        field.schedule[v] = patch.index();
+        is_first = false;
+      }
+    }
+    if (is_first) return;
+    field.asked[v] = std::get<double>(least);
+    field.thickness[v] = field.asked[v];
+    if (n_without > 0) field.lower(v, 0, LimitReason::PatchEdge);
+  });
+  return field;
+}
+
+}  // namespace nearwall::layers

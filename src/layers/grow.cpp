@@ -1,0 +1,159 @@
+#include "nearwall/layers/grow.h"
+
+#include <algorithm>
+
+#include "line_set.h"
+#include "nearwall/certify/certificate.h"
+#include "nearwall/core/expect.h"
+#include "shrink.h"
+#include "vertex_field.h"
+
+namespace nearwall::layers {
+
+namespace {
+
+/// Rounds of certify and shrink after which whatever still fails is blocked. Seen on real surfaces: 1 to 40.
+constexpr int kPatientRounds = 100;
+
+/// Components of the wall, those that the fluid cannot reach left out.
+IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
+  auto component = mesh::connected_components(wall.topology);
+  for (const FaceId f : component.ids()) {
+    if (!wall.is_wetted[f]) component[f] = ComponentId();
+  }
+  return component;
+}
+
+std::vector<VertexId> merged(std::vector<VertexId> a, const std::vector<VertexId>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end());
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+/// The loop of certify and shrink. Only columns and front triangles whose lines changed are looked at again.
+class Settling {
+ public:
+  Settling(const Wall& wall, const HeightRows& rows, VertexField& field, Growth& growth)
+      : wall_(wall),
+        rows_(rows),
+        field_(field),
+        growth_(growth),
+        shrinker_(wall, growth.front, field),
+        component_(wetted_components(wall)),
+        resolution_(resolution(wall)),
+        front_changed_(growth.front.faces.size(), 1) {}
+
+  void run(ProgressSink& progress) {
+    while (const auto failed = one_round()) {
+      if (++growth_.rounds == kPatientRounds) shrinker_.lose_patience();
+      lower(*failed);
+      // The number of rounds is not known beforehand: the bar nears its end without reaching it.
+      progress.update(1.0 - 1.0 / (1.0 + growth_.rounds));
+    }
+  }
+
+ private:
+  /// Vertices lowered because a part of the certificate failed; nullopt if all of it holds.
+  std::optional<std::vector<VertexId>> one_round() {
+    if (is_first_ || !changed_columns_.empty()) {
+      const auto bad = certify::bad_columns(growth_.front, growth_.lines, changed_columns_);
+      is_first_ = false;
+      changed_columns_.clear();
+      if (!bad.empty()) return shrinker_.shrink(growth_.lines, bad);
+    }
+    const certify::FrontSurface front = certify::front_surface(growth_.front, growth_.lines);
+    const bool all = std::find(front_changed_.begin(), front_changed_.end(), 0) == front_changed_.end();
+    const auto intersections =
+        certify::front_intersections(front, all ? std::span<const char>() : std::span<const char>(front_changed_));
+    std::fill(front_changed_.begin(), front_changed_.end(), 0);
+    if (!intersections.empty()) return shrinker_.shrink(intersections);
+    const auto wrong = certify::covered_twice(front, component_, wall_.fluid_is_inside);
+    if (!wrong.empty()) return shrinker_.shrink(front, wrong, component_);
+    return std::nullopt;
+  }
+
+  void lower(const std::vector<VertexId>& failed) {
+    expect(!failed.empty(), "a failed certificate to name a line that can still be lowered");
+    const auto changed = merged(failed, grade(wall_, field_, failed));
+    update_lines(growth_.front, rows_, changed, resolution_, field_, growth_.lines);
+    mark_changed(changed);
+  }
+
+  void mark_changed(const std::vector<VertexId>& vertices) {
+    for (const VertexId v : vertices) {
+      for (const HalfedgeId h : wall_.topology.fan(v)) {
+        const std::uint32_t f = mesh::Topology::face(h).index();
+        changed_columns_.push_back(FrontFaceId(f));
+        front_changed_[f] = 1;
+      }
+    }
+    std::sort(changed_columns_.begin(), changed_columns_.end());
+    changed_columns_.erase(std::unique(changed_columns_.begin(), changed_columns_.end()), changed_columns_.end());
+  }
+
+  const Wall& wall_;
+  const HeightRows& rows_;
+  VertexField& field_;
+  Growth& growth_;
+  Shrinker shrinker_;
+  IdVector<FaceId, ComponentId> component_;
+  double resolution_;
+  bool is_first_ = true;
+  std::vector<FrontFaceId> changed_columns_;
+  std::vector<char> front_changed_;  // (n_front_faces) since the front was last looked at
+};
+
+HeightRows rows_of(const GrowOptions& options) {
+  std::vector<std::vector<double>> schedules;
+  for (const PatchSchedule& s : options.schedules) {
+    schedules.push_back(s.has_layers ? s.heights : std::vector<double>());
+  }
+  return HeightRows(schedules);
+}
+
+void record(const Wall& wall, const HeightRows& rows, const VertexField& field, Growth& growth) {
+  const std::size_t n = growth.front.n_lines();
+  growth.asked_thickness.resize(n);
+  growth.reached_thickness.resize(n);
+  growth.asked_levels.resize(n);
+  growth.reason.resize(n);
+  for (const LineId line : growth.front.line_vertex.ids()) {
+    const VertexId v = growth.front.line_vertex[line];
+    growth.asked_thickness[line] = field.asked[v];
+    growth.reached_thickness[line] = field.thickness[v];
+    growth.asked_levels[line] = field.asked[v] > 0 ? rows.schedule(field.schedule[v]).n_levels : Level{0};
+    growth.reason[line] = field.reason[v];
+  }
+  expect(wall.surface.points.size() + 1 == growth.front.first_line.size(), "a front over this wall");
+}
+
+}  // namespace
+
+Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress) {
+  const HeightRows rows = rows_of(options);
+  VertexField field = ask(wall, options, rows);
+  Growth growth;
+
+  progress.begin_stage("normals");
+  growth.smoothing_iterations = set_directions(wall, options, field, growth.normals);
+  progress.end_stage();
+
+  progress.begin_stage("limits");
+  limit_by_gaps(wall, field);
+  progress.update(0.5);
+  grade(wall, field, {});
+  const auto curved = limit_by_curvature(wall, field);
+  if (!curved.empty()) grade(wall, field, curved);
+  progress.end_stage();
+
+  progress.begin_stage("layers");
+  growth.front = mesh::plain_front(wall.surface);
+  growth.lines = make_lines(wall, growth.front, rows, field);
+  Settling(wall, rows, field, growth).run(progress);
+  record(wall, rows, field, growth);
+  progress.end_stage();
+  return growth;
+}
+
+}  // namespace nearwall::layers

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "nearwall/core/parallel.h"
+#include "nearwall/search/wall_tree.h"
+#include "vertex_field.h"
+
+namespace nearwall::layers {
+
+namespace {
+
+using mesh::LimitReason;
+using mesh::Topology;
+
+/// Share of the closed-form limit that a line may use: the rest is room for the heights of single layers and for cells
+/// that are still well shaped at the top.
+constexpr double kCurvatureShare = 0.7;
+
+/// Lowering one line changes the limits of its neighbours: a few sweeps settle nearly all; the certificate the rest.
+constexpr int kCurvatureSweeps = 4;
+
+/// Share of the way to the opposite wall: two fronts that grow towards each other keep a tenth of the gap between them.
+constexpr double kGapShare = 0.45;
+
+/// Smallest t > 0 at which a + b t + c t² falls to zero, given a > 0; infinity if it never does.
+double first_root(double a, double b, double c) {
+  const double discriminant = b * b - 4 * a * c;
+  if (discriminant < 0) return std::numeric_limits<double>::infinity();
+  // The numerically stable pair: q has the sign of -b, so nothing cancels.
+  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  const double t1 = q != 0 ? a / q : std::numeric_limits<double>::infinity();
+  const double t2 = c != 0 ? q / c : std::numeric_limits<double>::infinity();
+  double first = std::numeric_limits<double>::infinity();
+  if (t1 > 0) first = std::min(first, t1);
+  if (t2 > 0) first = std::min(first, t2);
+  return first;
+}
+
+/// Largest t, at most infinity, up to which the wedge swept from the triangle x by x_k + t v_k is positive everywhere;
+/// 0 if it is not even at its start. Source: docs/theory/cells.md, thick wedge.
+double swept_limit(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& v) {
+  const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], g1 = v[1] - v[0], g2 = v[2] - v[0];
+  const Vec3 c0 = cross(e1, e2), c1 = cross(e1, g2) + cross(g1, e2), c2 = cross(g1, g2);
+  double limit = std::numeric_limits<double>::infinity();
+  for (const Vec3& h : v) {
+    if (squared_norm(h) == 0) continue;  // a line that stays does not sweep
+    const double a = dot(c0, h);
+    if (!(a > 0)) return 0;
+    limit = std::min(limit, first_root(a, dot(c1, h), dot(c2, h)));
+  }
+  return limit;
+}
+
+}  // namespace
+
+std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field) {
+  const std::size_t n_faces = wall.surface.faces.size();
+  std::vector<double> share(n_faces);
+  std::vector<char> is_lowered(field.thickness.size(), 0);
+  for (int sweep = 0; sweep < kCurvatureSweeps; ++sweep) {
+    parallel_for(n_faces, [&](std::size_t i) {
+      const FaceId f(i);
+      std::array<Vec3, 3> v;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId corner = wall.surface.faces[f][k];
+        v[k] = field.direction[corner] * (field.stretch[corner] * field.thickness[corner]);
+      }
+      share[i] = kCurvatureShare * swept_limit(wall.surface.triangle(f), v);
+    });
+    bool any = false;
+    for (std::size_t i = 0; i < n_faces; ++i) {
+      // A face without orientation from the start says nothing of heights: the certificate will judge it.
+      if (!(share[i] < 1) || share[i] == 0) continue;
+      for (const VertexId corner : wall.surface.faces[FaceId(i)]) {
+        if (field.lower(corner, share[i] * field.thickness[corner], LimitReason::Curvature)) {
+          is_lowered[corner.index()] = 1;
+          any = true;
+        }
+      }
+    }
+    if (!any) break;
+  }
+  std::vector<VertexId> lowered;
+  for (std::size_t v = 0; v < is_lowered.size(); ++v) {
+    if (is_lowered[v]) lowered.push_back(VertexId(v));
+  }
+  return lowered;
+}
+
+void limit_by_gaps(const Wall& wall, VertexField& field) {
+  const search::WallTree tree(wall.surface);
+  parallel_for(field.thickness.size(), [&](std::size_t i) {
+    const VertexId v(i);
+    if (!(field.thickness[v] > 0)) return;
+    const double per_thickness = field.stretch[v];
+    const double reach = per_thickness * field.thickness[v] / kGapShare;
+    const Vec3& from = wall.surface.points[v];
+    const auto is_apart = [&](FaceId f) {
+      const auto& corners = wall.surface.faces[f];
+      return std::find(corners.begin(), corners.end(), v) == corners.end();
+    };
+    const auto hit = tree.first_hit(from, from + field.direction[v] * reach, is_apart);
+    if (hit.face.is_valid()) field.lower(v, kGapShare * hit.distance / per_thickness, LimitReason::Gap);
+  });
+}
+
+}  // namespace nearwall::layers

@@ -1,0 +1,70 @@
+#include "line_set.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "nearwall/core/parallel.h"
+
+namespace nearwall::layers {
+
+namespace {
+
+/// Heights below so many units in the last place of the largest coordinate would be more rounding than height.
+constexpr double kResolvableUlps = 1e3;
+
+void update_vertex(const mesh::Front& front, const HeightRows& rows, VertexId v, double finest, VertexField& field,
+                   mesh::Lines& lines) {
+  const ScheduleRows& schedule = rows.schedule(field.schedule[v]);
+  mesh::Heights heights;
+  if (field.thickness[v] > 0) {
+    heights = schedule.fit(field.thickness[v]);
+    const double first = (heights.weight_0 + heights.weight_1) * lines.table.row(heights.row)[1];
+    if (!(first * field.stretch[v] >= finest)) {
+      const mesh::LimitReason why =
+          field.reason[v] == mesh::LimitReason::None ? mesh::LimitReason::Quality : field.reason[v];
+      field.lower(v, 0, why);
+    }
+  }
+  for (std::uint32_t i = front.first_line[v.index()]; i < front.first_line[v.index() + 1]; ++i) {
+    const LineId line(i);
+    lines.heights[line] = heights;
+    lines.windows[line] = {0, field.thickness[v] > 0 ? schedule.n_levels : Level{0}};
+  }
+}
+
+}  // namespace
+
+double resolution(const Wall& wall) {
+  double largest = 0;
+  for (const Vec3& p : wall.surface.points) largest = std::max(largest, max_norm(p));
+  return kResolvableUlps * std::numeric_limits<double>::epsilon() * largest;
+}
+
+mesh::Lines make_lines(const Wall& wall, const mesh::Front& front, const HeightRows& rows, VertexField& field) {
+  const std::size_t n = front.n_lines();
+  mesh::Lines lines;
+  lines.table = rows.table();
+  lines.base.resize(n);
+  lines.heights.resize(n);
+  lines.windows.resize(n);
+  lines.pieces.resize(n);
+  lines.first_piece.resize(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) lines.first_piece[i] = static_cast<std::uint32_t>(i);
+  const double finest = resolution(wall);
+  parallel_for(wall.surface.points.size(), [&](std::size_t i) {
+    const VertexId v(i);
+    for (std::uint32_t k = front.first_line[i]; k < front.first_line[i + 1]; ++k) {
+      lines.base[LineId(k)] = wall.surface.points[v];
+      lines.pieces[k] = {field.direction[v] * field.stretch[v], 0.0};
+    }
+    update_vertex(front, rows, v, finest, field, lines);
+  });
+  return lines;
+}
+
+void update_lines(const mesh::Front& front, const HeightRows& rows, std::span<const VertexId> vertices,
+                  double resolution, VertexField& field, mesh::Lines& lines) {
+  for (const VertexId v : vertices) update_vertex(front, rows, v, resolution, field, lines);
+}
+
+}  // namespace nearwall::layers

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "nearwall/certify/certificate.h"
+#include "vertex_field.h"
+
+namespace nearwall::layers {
+
+/// Lowers the vertices that a failed part of the certificate names. Each may be lowered so many times, then it is
+/// blocked: so the loop of certify and shrink ends.
+class Shrinker {
+ public:
+  Shrinker(const Wall& wall, const mesh::Front& front, VertexField& field)
+      : wall_(wall), front_(front), field_(field), strikes_(field.thickness.size(), 0), factor_(strikes_.size(), 1.0) {}
+
+  /// Each returns the vertices lowered, in increasing order.
+  std::vector<VertexId> shrink(const mesh::Lines& lines, const std::vector<certify::BadColumn>& bad);
+  std::vector<VertexId> shrink(const std::vector<std::pair<FrontFaceId, FrontFaceId>>& intersections);
+  std::vector<VertexId> shrink(const certify::FrontSurface& front, const std::vector<ComponentId>& covered_twice,
+                               const IdVector<FaceId, ComponentId>& face_component);
+
+  /// From now on what fails is blocked at once.
+  void lose_patience() { patience_ = 0; }
+
+ private:
+  void mark(FrontFaceId f, double factor);
+  std::vector<VertexId> lower_marked(mesh::LimitReason why);
+
+  const Wall& wall_;
+  const mesh::Front& front_;
+  VertexField& field_;
+  std::vector<int> strikes_;    // (n_vertices)
+  std::vector<double> factor_;  // (n_vertices) 1: not marked
+  std::vector<VertexId> marked_;
+  int patience_ = 16;  // 0.75^16 = 1 %: what does not fit then is held by a defect of the shape, not its size
+};
+
+}  // namespace nearwall::layers

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "height_rows.h"
+#include "nearwall/layers/grow.h"
+
+namespace nearwall::layers {
+
+/// What the growth knows of each wall vertex; all its lines share it. Thicknesses are measured normal to the wall: a
+/// line that leans is longer by its stretch.
+struct VertexField {
+  IdVector<VertexId, Vec3> direction;            ///< unit vector
+  IdVector<VertexId, double> stretch;            ///< length along the line per thickness, 1 … kMaxStretch
+  IdVector<VertexId, std::uint32_t> schedule;    ///< of HeightRows
+  IdVector<VertexId, double> asked;              ///< thickness asked for; 0 where there is no layer to be
+  IdVector<VertexId, double> thickness;          ///< allowed now, <= asked; 0: blocked
+  IdVector<VertexId, mesh::LimitReason> reason;  ///< of the last limit that bit
+
+  /// Lowers the thickness to `limit` if that is less; true if it was.
+  bool lower(VertexId v, double limit, mesh::LimitReason why) {
+    if (!(thickness[v] > limit)) return false;
+    thickness[v] = limit > 0 ? limit : 0;
+    reason[v] = why;
+    return true;
+  }
+};
+
+/// Asks each vertex for the schedule of its patch, between patches for the one with fewer layers, then the thinner one.
+/// Vertices at the edge of a patch without layers are blocked; on patches without layers and on components that the
+/// fluid cannot reach nothing is asked.
+VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& rows);
+
+/// Directions: normals by the chosen method, smoothed. Fills direction and stretch; blind vertices are blocked.
+/// \returns sweeps of smoothing done
+int set_directions(const Wall& wall, const GrowOptions& options, VertexField& field,
+                   IdVector<VertexId, surface::PointNormal>& normals);
+
+/// Closed form of the method, section 3: no thick wedge may lose its orientation on the way up.
+/// \returns vertices that were lowered, in increasing order
+std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field);
+
+/// Keeps each line below its share of the way to the next wall, by rays.
+void limit_by_gaps(const Wall& wall, VertexField& field);
+
+/// Lowers neighbours so that thickness changes along the surface at a bounded rate.
+/// \param seeds  vertices whose thickness may be too low for their neighbours; empty: all
+/// \returns      vertices that were lowered
+std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vector<VertexId>& seeds);
+
+}  // namespace nearwall::layers
