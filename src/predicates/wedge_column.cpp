@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "nearwall/predicates/cells.h"
 #include "predicates/wedge_filter.h"
@@ -8,43 +9,47 @@ namespace nearwall::predicates {
 
 namespace {
 
-/// Levels looked at together: their flags stay in the innermost cache.
-constexpr int kBlock = 256;
+/// Neighbouring levels, tested at once.
+constexpr int kLanes = 2;
+using Pack [[gnu::vector_size(kLanes * sizeof(double))]] = double;
 
-Vec3 point(const WedgeColumn& c, int line, int level) { return {c.x[line][level], c.y[line][level], c.z[line][level]}; }
+Vector<Pack> load(const WedgeColumn& c, int line, int level) {
+  Vector<Pack> p;
+  std::memcpy(&p.x, c.x[line] + level, sizeof(Pack));
+  std::memcpy(&p.y, c.y[line] + level, sizeof(Pack));
+  std::memcpy(&p.z, c.z[line] + level, sizeof(Pack));
+  return p;
+}
 
-/// Writes 1 for each wedge in [first, first + n) that plain doubles do not prove positive. A loop without branches over
-/// separate arrays of coordinates.
-void flag_unproven(const WedgeColumn& column, int first, int n, unsigned char* unproven) {
-  const double *x0 = column.x[0] + first, *x1 = column.x[1] + first, *x2 = column.x[2] + first;
-  const double *y0 = column.y[0] + first, *y1 = column.y[1] + first, *y2 = column.y[2] + first;
-  const double *z0 = column.z[0] + first, *z1 = column.z[1] + first, *z2 = column.z[2] + first;
-  for (int j = 0; j < n; ++j) {
-    const WedgeEdges<double> e{{x1[j] - x0[j], y1[j] - y0[j], z1[j] - z0[j]},
-                               {x2[j] - x0[j], y2[j] - y0[j], z2[j] - z0[j]},
-                               {x1[j + 1] - x0[j + 1], y1[j + 1] - y0[j + 1], z1[j + 1] - z0[j + 1]},
-                               {x2[j + 1] - x0[j + 1], y2[j + 1] - y0[j + 1], z2[j + 1] - z0[j + 1]},
-                               {{{x0[j + 1] - x0[j], y0[j + 1] - y0[j], z0[j + 1] - z0[j]},
-                                 {x1[j + 1] - x1[j], y1[j + 1] - y1[j], z1[j + 1] - z1[j]},
-                                 {x2[j + 1] - x2[j], y2[j + 1] - y2[j], z2[j + 1] - z2[j]}}}};
-    unproven[j] = is_surely_positive(e) ? 0 : 1;
+Vector<Pack> operator-(const Vector<Pack>& a, const Vector<Pack>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+/// Whether doubles prove the wedges at the levels first, first + 1, ... of one pack positive.
+bool are_surely_positive(const WedgeColumn& c, int first) {
+  const Vector<Pack> a0 = load(c, 0, first), a1 = load(c, 1, first), a2 = load(c, 2, first);
+  const Vector<Pack> b0 = load(c, 0, first + 1), b1 = load(c, 1, first + 1), b2 = load(c, 2, first + 1);
+  const auto mask = is_surely_positive<Pack>({a1 - a0, a2 - a0, b1 - b0, b2 - b0, {b0 - a0, b1 - a1, b2 - a2}});
+  bool all = true;
+  for (int lane = 0; lane < kLanes; ++lane) all &= mask[lane] != 0;
+  return all;
+}
+
+bool is_positive_at(const WedgeColumn& c, int level) {
+  std::array<Vec3, 6> p;
+  for (int i = 0; i < 6; ++i) {
+    const int line = i % 3, at = level + i / 3;
+    p[i] = {c.x[line][at], c.y[line][at], c.z[line][at]};
   }
+  return wedge(p) == Positivity::Positive;
 }
 
 }  // namespace
 
 int first_bad_wedge(const WedgeColumn& column, int n_levels) {
-  std::array<unsigned char, kBlock> unproven;
-  for (int first = 0; first < n_levels; first += kBlock) {
-    const int n = std::min(kBlock, n_levels - first);
-    flag_unproven(column, first, n, unproven.data());
-    for (int j = 0; j < n; ++j) {
-      if (unproven[j] == 0) continue;
-      const int level = first + j;
-      const std::array<Vec3, 6> p{point(column, 0, level),     point(column, 1, level),
-                                  point(column, 2, level),     point(column, 0, level + 1),
-                                  point(column, 1, level + 1), point(column, 2, level + 1)};
-      if (wedge(p) != Positivity::Positive) return level;
+  for (int first = 0; first < n_levels; first += kLanes) {
+    const int end = std::min(first + kLanes, n_levels);
+    if (end - first == kLanes && are_surely_positive(column, first)) continue;
+    for (int level = first; level < end; ++level) {
+      if (!is_positive_at(column, level)) return level;
     }
   }
   return n_levels;

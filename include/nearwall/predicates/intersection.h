@@ -6,6 +6,7 @@
 
 namespace nearwall::predicates {
 
+/// Three corners. One without area counts as the segment or point that it is.
 using Triangle = std::array<Vec3, 3>;
 
 /// Whether two closed triangles without a common corner have a point in common. Exact; touching counts.
@@ -23,7 +24,7 @@ enum class RayCrossing { None, Along, Against, Degenerate };
 
 /// Exact crossing of an unbounded ray with a triangle: Along if the ray runs to the side of the triangle's normal,
 /// Against if it comes from there; Degenerate if it meets an edge or a corner, runs in the plane, or starts on the
-/// triangle.
+/// triangle. The ray's two points differ.
 RayCrossing ray_crossing(const Vec3& origin, const Vec3& through, const Triangle& t);
 
 }  // namespace nearwall::predicates
