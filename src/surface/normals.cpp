@@ -1,0 +1,97 @@
+#include "nearwall/surface/normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/geometry/angles.h"
+#include "nearwall/predicates/orientation.h"
+#include "surface/normals_cap.h"
+#include "surface/normals_existence.h"
+#include "surface/normals_visible.h"
+
+namespace nearwall::surface {
+
+namespace {
+
+/// A direction that sees all faces sees the worst one under less than a right angle, however little.
+double below_right_angle(double angle) { return std::min(angle, std::nextafter(std::numbers::pi / 2, 0.0)); }
+
+/// Where no direction was found that surely sees all: decides exactly, the few vectors in the way first.
+std::optional<VisibleNormal> most_visible_at_the_limit(std::span<const Vec3> given, const Cap& cap) {
+  std::array<Vec3, 4> seat;
+  for (std::size_t k = 0; k < cap.n_seat; ++k) seat[k] = given[cap.seat[k]];
+  if (!find_seeing_direction({seat.data(), cap.n_seat})) return std::nullopt;
+  // The cone is open by no more than rounding: any direction in it is optimal to all digits.
+  const std::optional<Vec3> direction = find_seeing_direction(given);
+  if (!direction) return std::nullopt;
+  return VisibleNormal{*direction, below_right_angle(std::numbers::pi / 2)};
+}
+
+/// Vectors for one call: on the stack for all but extraordinary vertices.
+class Scratch {
+ public:
+  explicit Scratch(std::size_t n) {
+    if (n > small_.size()) large_.resize(n);
+    data_ = large_.empty() ? small_.data() : large_.data();
+  }
+  void add(const Vec3& v) { data_[n_++] = v; }
+  std::span<const Vec3> all() const { return {data_, n_}; }
+
+ private:
+  std::array<Vec3, 24> small_;
+  std::vector<Vec3> large_;
+  Vec3* data_ = nullptr;
+  std::size_t n_ = 0;
+};
+
+double face_weight(Weight weight, const Vec3& b, const Vec3& c) {
+  switch (weight) {
+    case Weight::Angle:
+      return geometry::angle_between(b, c);
+  }
+  throw InputError("weighted_normal: unknown weight");
+}
+
+}  // namespace
+
+bool sees_all(const Vec3& direction, std::span<const Vec3> normals) {
+  return std::all_of(normals.begin(), normals.end(), [&](const Vec3& normal) {
+    return predicates::sign_of_dot(normal, direction) == predicates::Sign::Positive;
+  });
+}
+
+std::optional<VisibleNormal> most_visible_of(std::span<const Vec3> given, std::span<const Vec3> units) {
+  const Cap cap = smallest_cap(units);
+  const double worst_cosine = 1.0 - 0.5 * cap.squared_chord;
+  if (worst_cosine > kSurelyPositive || (worst_cosine > 0 && sees_all(cap.centre, given))) {
+    return VisibleNormal{cap.centre, below_right_angle(2.0 * std::asin(0.5 * std::sqrt(cap.squared_chord)))};
+  }
+  return most_visible_at_the_limit(given, cap);
+}
+
+std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_normals) {
+  Scratch given(face_normals.size()), units(face_normals.size());
+  for (const Vec3& normal : face_normals) {
+    if (!is_finite(normal)) throw InputError("most_visible_normal: expected finite normals, found one that is not");
+    if (!(max_norm(normal) > 0)) continue;
+    given.add(normal);
+    units.add(unit_vector(normal));
+  }
+  if (given.all().empty()) return std::nullopt;
+  return most_visible_of(given.all(), units.all());
+}
+
+Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring, bool closed) {
+  Vec3 sum;
+  const std::size_t n_faces = closed ? ring.size() : std::max<std::size_t>(ring.size(), 1) - 1;
+  for (std::size_t k = 0; k < n_faces; ++k) {
+    const Vec3 b = ring[k] - apex, c = ring[k + 1 < ring.size() ? k + 1 : 0] - apex;
+    sum += normalized(cross(b, c)) * face_weight(weight, b, c);
+  }
+  return normalized(sum);
+}
+
+}  // namespace nearwall::surface
