@@ -65,7 +65,9 @@ TEST(Weld, LeavesKeptPointsFurtherApartThanTheTolerance) {
     EXPECT_EQ(kept[kept[i]], kept[i]);
     EXPECT_LE(distance(points[i], points[kept[i]]), tolerance);
     for (std::size_t j = 0; j < i; ++j) {
-      if (kept[i] == i && kept[j] == j) EXPECT_GT(distance(points[i], points[j]), tolerance);
+      if (kept[i] == i && kept[j] == j) {
+        EXPECT_GT(distance(points[i], points[j]), tolerance);
+      }
     }
   }
 }

@@ -62,17 +62,21 @@ struct Admission {
   mesh::SurfaceMesh surface;
   IdVector<FaceId, FaceId> input_face;           ///< number of each triangle in the file; identity without repairs
   IdVector<FaceId, ComponentId> face_component;  ///< empty if the surface is not manifold
-  IdVector<ComponentId, Component> components;
+  IdVector<ComponentId, Component> components;  ///< in the order of their first triangle; parts that touch count as one
   std::vector<Fault> faults;
   std::vector<std::string> repairs;  ///< what was repaired, a sentence each
   std::size_t n_open_edges = 0;
-  double closing_tolerance = 0;  ///< weld length that would close all open edges; 0 if there is none
+  double closing_tolerance = 0;  ///< weld length that would close all open edges, three digits; 0 if there is none
   bool is_usable() const { return faults.empty(); }
 };
 
 /// Looks for everything that keeps a surface from being meshed, in the order of FaultKind; nothing is thrown for it.
-/// Nesting and self-intersection are looked at only where the former checks leave a sense in it.
-/// Cost: O(n log n). Exact.
+/// Exact. The surface should be welded (weld.h): points are the same if their number is.
+///
+/// A triangle with a repeated corner or an exact copy of another is told as such and left out of all further checks.
+/// Self-intersection is looked at unless most edges are open or non-manifold; nesting and inside-out only if the
+/// surface is finite, manifold, closed, consistently oriented and free of self-intersection. Cost: O(n log n +
+/// intersecting pairs)
 Admission inspect(mesh::SurfaceMesh surface, const AdmissionPolicy& policy);
 
 /// A surface that was refused. The message tells what, how many, where, and what to do.

@@ -32,12 +32,13 @@ struct Features {
   std::size_t n_concave = 0;
 };
 
-/// Cost: O(n_faces).
+/// \throws InputError if an angle of the options is out of range.    Cost: O(n_faces), on all threads.
 Features find_features(const mesh::SurfaceMesh& surface, const mesh::Topology& topology,
                        const FeatureOptions& options = {});
 
 /// Discrete patch of each face round v, in the order of topology.fan(v): 0, 1, … , faces between two ridges share one.
-/// A vertex with fewer than two ridges has one patch.
+/// A closed vertex with fewer than two ridges has one patch; on a boundary, which separates like a ridge, every ridge
+/// begins another patch.
 std::vector<int> discrete_patches(const mesh::Topology& topology, const Features& features, VertexId v);
 
 }  // namespace nearwall::surface
