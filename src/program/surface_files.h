@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nearwall::program {
+
+/// Whether the name ends as those of surfaces that this version reads: stl, obj, ply, off, vtp, vtk, also gzipped.
+bool is_surface_file(const std::filesystem::path& path);
+
+/// Whether the file is a case file: *.toml with a key `format` at its top level.
+bool is_case_file(const std::filesystem::path& path);
+
+/// Name without its ending, and without .gz before that.
+std::string stem_of(const std::filesystem::path& path);
+
+/// Files below a folder that `wanted` accepts, in the order of their names; hidden folders are passed over.
+/// \throws IoError if a folder cannot be read
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder,
+                                               bool (*wanted)(const std::filesystem::path&));
+
+}  // namespace nearwall::program
