@@ -61,7 +61,7 @@ Level first_bad_level(const mesh::Front& front, const mesh::Lines& lines, FrontF
   const Level none = std::numeric_limits<Level>::max();
   const mesh::FrontFace& face = front.faces[f];
   const mesh::Window w = lines.windows[face.lines[0]];
-  if (face.size() == 3 && w.start == 0 && w == lines.windows[face.lines[1]] && w == lines.windows[face.lines[2]]) {
+  if (front.is_wall(f) && w.start == 0 && w == lines.windows[face.lines[1]] && w == lines.windows[face.lines[2]]) {
     if (!w.moves()) return none;
     const int bad = predicates::first_bad_wedge(buffer.lay(lines, face, w.end), w.end);
     return bad < w.end ? static_cast<Level>(bad) : none;

@@ -6,9 +6,10 @@ namespace nearwall::mesh {
 
 namespace {
 
-/// Whether every line of the face starts at the wall and moves to the same level: all cells are of one type then.
-bool is_full_triangle(const Lines& lines, const FrontFace& face) {
-  if (face.size() != 3) return false;
+/// Whether all cells over a wall triangle are wedges, as nearly always: its lines move alike.
+bool has_wedges_only(const Front& front, const Lines& lines, FrontFaceId f) {
+  if (!front.is_wall(f)) return false;
+  const FrontFace& face = front.faces[f];
   const Window w = lines.windows[face.lines[0]];
   return w.start == 0 && w == lines.windows[face.lines[1]] && w == lines.windows[face.lines[2]];
 }
@@ -28,7 +29,7 @@ LayerMesh::LayerMesh(const Front& front, const Lines& lines) : front_(&front), l
   column_offset_.push_back(0);
   for (const FrontFaceId f : front.faces.ids()) {
     CellIndex n = 0;
-    if (is_full_triangle(lines, front.faces[f])) {
+    if (has_wedges_only(front, lines, f)) {
       n = lines.windows[front.faces[f].lines[0]].end;
       n_by_type_[static_cast<std::size_t>(CellType::Wedge)] += n;
     } else {
