@@ -1,0 +1,141 @@
+#include "nearwall/quality/coverage.h"
+
+#include <algorithm>
+
+#include "nearwall/core/expect.h"
+#include "nearwall/core/parallel.h"
+#include "nearwall/geometry/measures.h"
+
+namespace nearwall::quality {
+
+namespace {
+
+constexpr double kPercent = 100;
+
+/// What one line of a triangle contributes.
+struct LineShare {
+  Level end = 0;            ///< last level it reaches; 0 if it never moves
+  bool has_all = false;     ///< all the layers that were asked for
+  double fraction = 0;      ///< of the asked thickness
+  double first_height = 0;  ///< distance of its first node from the triangle's plane
+  double thickness = 0;     ///< distance of its last node from the triangle's plane
+};
+
+LineShare share_of(const mesh::Lines& lines, LineId line, const Vec3& normal, const LineOutcome& outcome) {
+  LineShare s;
+  const mesh::Window window = lines.windows[line];
+  if (!window.moves()) return s;
+  const Vec3& base = lines.base[line];
+  s.end = window.end;
+  s.has_all = outcome.asked_levels[line] > 0 && window.end >= outcome.asked_levels[line];
+  s.first_height = dot(lines.position(line, static_cast<Level>(window.start + 1)) - base, normal);
+  s.thickness = dot(lines.position(line, window.end) - base, normal);
+  if (outcome.asked_thickness[line] > 0) s.fraction = outcome.reached_thickness[line] / outcome.asked_thickness[line];
+  return s;
+}
+
+FaceCoverage cover(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall, FaceId f, const PatchRequest& request,
+                   const LineOutcome& outcome) {
+  const FrontFaceId column(f.index());
+  const auto [a, b, c] = wall.triangle(f);
+  const Vec3 normal = geometry::triangle_normal(a, b, c);
+
+  FaceCoverage face;
+  face.layers = request.count;
+  face.has_any = layers.column_end(column) > layers.column_offset(column);
+  face.has_all_layers = true;
+  std::array<double, 3> first_heights{}, thicknesses{}, asked{};
+  double smallest_fraction = 2;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const LineId line = layers.front().faces[column].lines[k];
+    const LineShare s = share_of(layers.lines(), line, normal, outcome);
+    face.layers = std::min(face.layers, s.end);
+    face.has_all_layers = face.has_all_layers && s.has_all;
+    first_heights[k] = s.first_height;
+    thicknesses[k] = s.thickness;
+    asked[k] = outcome.asked_thickness[line] > 0 ? outcome.asked_thickness[line] : request.total_thickness;
+    const mesh::LimitReason reason = outcome.reason[line];
+    if (reason == mesh::LimitReason::None) continue;
+    // Ties by the number of the reason: the answer must not depend on which corner comes first.
+    if (s.fraction < smallest_fraction || (s.fraction == smallest_fraction && reason < face.reason)) {
+      smallest_fraction = s.fraction;
+      face.reason = reason;
+    }
+  }
+  const auto mean = [](const std::array<double, 3>& v) { return sum3(v[0], v[1], v[2]) / 3; };
+  face.first_height = mean(first_heights);
+  face.thickness = mean(thicknesses);
+  face.is_full = face.has_all_layers && face.thickness >= kFullThickness * mean(asked);
+  if (face.is_full) face.reason = mesh::LimitReason::None;
+  // No line was limited, yet they lean so far that the triangle's own layers are thin.
+  if (!face.is_full && face.reason == mesh::LimitReason::None) face.reason = mesh::LimitReason::Visibility;
+  return face;
+}
+
+PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& members,
+                     const IdVector<FaceId, FaceCoverage>& faces, const PatchRequest& request) {
+  geometry::CompensatedSum total, full, all, any, layers;
+  std::array<geometry::CompensatedSum, mesh::kNLimitReasons> limited;
+  std::vector<double> areas, first_heights, thicknesses;
+  for (const FaceId f : members) {
+    const auto [a, b, c] = wall.triangle(f);
+    const double area = geometry::triangle_area(a, b, c);
+    const FaceCoverage& face = faces[f];
+    total.add(area);
+    if (face.is_full) full.add(area);
+    if (face.has_all_layers) all.add(area);
+    if (face.has_any) any.add(area);
+    layers.add(area * face.layers);
+    if (face.reason != mesh::LimitReason::None) limited[static_cast<std::size_t>(face.reason)].add(area);
+    areas.push_back(area);
+    first_heights.push_back(face.first_height);
+    thicknesses.push_back(face.thickness);
+  }
+  PatchCoverage patch;
+  patch.asked = request;
+  patch.has_layers = request.has_layers;
+  patch.area = total.value();
+  if (!request.has_layers || !(patch.area > 0)) return patch;
+  // A share of everything is 100 exactly: both sums are then the same.
+  const auto percent = [&](const geometry::CompensatedSum& sum) { return kPercent * (sum.value() / patch.area); };
+  patch.full_percent = percent(full);
+  patch.all_layers_percent = percent(all);
+  patch.any_percent = percent(any);
+  patch.mean_layers = layers.value() / patch.area;
+  for (std::size_t r = 0; r < limited.size(); ++r) patch.limit_percent[r] = percent(limited[r]);
+  patch.first_height = weighted_statistics(first_heights, areas, true);
+  patch.thickness = weighted_statistics(thicknesses, areas, true);
+  return patch;
+}
+
+}  // namespace
+
+IdVector<FaceId, FaceCoverage> face_coverage(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
+                                             const IdVector<PatchId, PatchRequest>& requests,
+                                             const LineOutcome& outcome) {
+  expect(requests.size() == wall.patch_names.size(), "one request for each patch");
+  expect(outcome.reason.size() == layers.lines().size(), "one outcome for each line");
+  IdVector<FaceId, FaceCoverage> faces(wall.faces.size());
+  parallel_for(faces.size(), [&](std::size_t i) {
+    const PatchRequest& request = requests[wall.face_patch[FaceId(i)]];
+    if (request.has_layers) faces[FaceId(i)] = cover(layers, wall, FaceId(i), request, outcome);
+  });
+  return faces;
+}
+
+IdVector<PatchId, PatchCoverage> patch_coverage(const mesh::SurfaceMesh& wall,
+                                                const IdVector<FaceId, FaceCoverage>& faces,
+                                                const IdVector<PatchId, PatchRequest>& requests,
+                                                const IdVector<FaceId, char>& is_wetted) {
+  IdVector<PatchId, std::vector<FaceId>> members(requests.size());
+  for (const FaceId f : wall.faces.ids()) {
+    if (is_wetted[f]) members[wall.face_patch[f]].push_back(f);
+  }
+  IdVector<PatchId, PatchCoverage> patches(requests.size());
+  parallel_blocks(patches.size(), 1, [&](std::size_t p, std::size_t) {
+    patches[PatchId(p)] = sum_up(wall, members[PatchId(p)], faces, requests[PatchId(p)]);
+  });
+  return patches;
+}
+
+}  // namespace nearwall::quality

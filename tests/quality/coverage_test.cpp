@@ -1,0 +1,114 @@
+#include "nearwall/quality/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/quality/hand_made_layers.h"
+
+namespace nearwall::quality {
+namespace {
+
+using mesh::LimitReason;
+
+IdVector<PatchId, PatchRequest> requests() {
+  return IdVector<PatchId, PatchRequest>(std::vector<PatchRequest>{{true, 1, 7, 3}});
+}
+
+PatchCoverage coverage_of(const PlateLayers& p,
+                          const IdVector<FaceId, char>& is_wetted = IdVector<FaceId, char>(2, 1)) {
+  const mesh::LayerMesh layers(p.front, p.lines);
+  const auto faces =
+      face_coverage(layers, p.wall, requests(), {p.asked_thickness, p.reached_thickness, p.asked_levels, p.reason});
+  return patch_coverage(p.wall, faces, requests(), is_wetted)[PatchId(0)];
+}
+
+double limited_by(const PatchCoverage& c, LimitReason reason) {
+  return c.limit_percent[static_cast<std::size_t>(reason)];
+}
+
+TEST(Coverage, OfAFullPlateIsAHundredPercent) {
+  const PatchCoverage c = coverage_of(PlateLayers{});
+  EXPECT_EQ(c.area, 4);
+  EXPECT_EQ(c.full_percent, 100);
+  EXPECT_EQ(c.all_layers_percent, 100);
+  EXPECT_EQ(c.any_percent, 100);
+  EXPECT_EQ(c.mean_layers, 3);
+  EXPECT_EQ(c.first_height.median, 1);
+  EXPECT_EQ(c.thickness.p01, 7);
+  for (double percent : c.limit_percent) EXPECT_EQ(percent, 0);
+}
+
+TEST(Coverage, OfATriangleWithAShortLineCountsTheLayersItHas) {
+  PlateLayers plate;
+  plate.limit(1, 2, LimitReason::Gap);  // corner of the first triangle only
+  const PatchCoverage c = coverage_of(plate);
+  EXPECT_EQ(c.all_layers_percent, 50);
+  EXPECT_EQ(c.full_percent, 50);
+  EXPECT_EQ(c.any_percent, 100);
+  EXPECT_EQ(c.mean_layers, 2.5);
+  EXPECT_EQ(limited_by(c, LimitReason::Gap), 50);
+  EXPECT_NEAR(c.thickness.min, (7 + 7 + 3) / 3.0, 1e-15);
+}
+
+TEST(Coverage, OfABlockedCornerLowersTheFirstHeight) {
+  PlateLayers plate;
+  plate.limit(1, 0, LimitReason::Visibility);
+  const PatchCoverage c = coverage_of(plate);
+  EXPECT_NEAR(c.first_height.min, 2 / 3.0, 1e-15);
+  EXPECT_EQ(c.any_percent, 100) << "pyramids stand there";
+  EXPECT_EQ(c.mean_layers, 1.5);
+}
+
+TEST(Coverage, NeedsNinetyFivePercentOfTheThicknessToBeFull) {
+  PlateLayers plate;
+  const auto thin = [&](double factor) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      plate.lines.pieces[i].direction = {0, 0, factor};
+      plate.reached_thickness[LineId(i)] = 7 * factor;
+      plate.reason[LineId(i)] = LimitReason::Curvature;
+    }
+    return coverage_of(plate);
+  };
+  EXPECT_EQ(thin(0.951).full_percent, 100);
+  const PatchCoverage c = thin(0.949);
+  EXPECT_EQ(c.full_percent, 0);
+  EXPECT_EQ(c.all_layers_percent, 100);
+  EXPECT_EQ(limited_by(c, LimitReason::Curvature), 100);
+}
+
+TEST(Coverage, NamesTheReasonOfTheMostLimitedLine) {
+  PlateLayers plate;
+  plate.limit(0, 2, LimitReason::Gap);
+  plate.limit(2, 1, LimitReason::Neighbour);
+  const PatchCoverage c = coverage_of(plate);
+  EXPECT_EQ(limited_by(c, LimitReason::Neighbour), 100);
+  EXPECT_EQ(limited_by(c, LimitReason::Gap), 0);
+}
+
+TEST(Coverage, GivesTheReasonVisibilityWhereLinesMerelyLean) {
+  PlateLayers plate;
+  for (std::size_t i = 0; i < 4; ++i) plate.lines.pieces[i].direction = {0.8, 0, 0.6};
+  const PatchCoverage c = coverage_of(plate);
+  EXPECT_EQ(c.full_percent, 0);
+  EXPECT_EQ(limited_by(c, LimitReason::Visibility), 100);
+  EXPECT_NEAR(c.first_height.median, 0.6, 1e-15);
+}
+
+TEST(Coverage, LeavesOutWhatTheFluidCannotReach) {
+  const PatchCoverage c = coverage_of(PlateLayers{}, IdVector<FaceId, char>(std::vector<char>{1, 0}));
+  EXPECT_EQ(c.area, 2);
+  EXPECT_EQ(c.full_percent, 100);
+}
+
+TEST(Coverage, OfAPatchWithoutLayersIsItsArea) {
+  const PlateLayers p;
+  const IdVector<PatchId, PatchRequest> none(1, PatchRequest{false, 0, 0, 0});
+  const auto faces = face_coverage({p.front, p.lines}, p.wall, none,
+                                   {p.asked_thickness, p.reached_thickness, p.asked_levels, p.reason});
+  const PatchCoverage c = patch_coverage(p.wall, faces, none, IdVector<FaceId, char>(2, 1))[PatchId(0)];
+  EXPECT_EQ(c.area, 4);
+  EXPECT_FALSE(c.has_layers);
+  EXPECT_EQ(c.any_percent, 0);
+}
+
+}  // namespace
+}  // namespace nearwall::quality
