@@ -1,0 +1,124 @@
+#include <cmath>
+
+#include "nearwall/geometry/angles.h"
+#include "shapes/definition.h"
+#include "shapes/revolution.h"
+#include "shapes/sampling.h"
+#include "shapes/wing.h"
+
+namespace nearwall::shapes {
+namespace {
+
+using geometry::kPi;
+
+/// The fuselage is a cylinder with elliptic ends of these lengths, over its radius.
+constexpr double kNoseLength = 3;
+constexpr double kTailLength = 5;
+
+/// Default edge length, over the chord at the plane of symmetry.
+constexpr double kDefaultSize = 0.05;
+
+/// A row round the right half of the fuselage, from its keel to its top. Odd rows are turned by half an edge.
+Row add_half_circle(SurfaceBuilder& builder, double x, double r, double size, bool is_turned) {
+  if (r == 0) return {builder.add_point({x, 0, 0})};
+  const int n = n_segments(kPi * r, size, kMinCircle / 2);
+  Row row{builder.add_point({x, 0, -r})};
+  for (int i = is_turned ? 0 : 1; i < n; ++i) {
+    const double angle = kPi * ((i + (is_turned ? 0.5 : 0.0)) / n - 0.5);
+    row.push_back(builder.add_point({x, r * std::cos(angle), r * std::sin(angle)}));
+  }
+  row.push_back(builder.add_point({x, 0, r}));
+  return row;
+}
+
+/// Stitches half circles along a profile in the direction of x; its first or last row is the one given.
+void add_half_end(SurfaceBuilder& builder, PatchId patch, const std::vector<ProfilePoint>& profile, const Row& joint,
+                  bool joint_is_last, double size) {
+  const std::size_t n = profile.size();
+  Row previous;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t from_joint = joint_is_last ? n - 1 - i : i;
+    const Row next =
+        from_joint == 0 ? joint : add_half_circle(builder, profile[i].x, profile[i].r, size, from_joint % 2 == 1);
+    if (i > 0) builder.stitch(patch, previous, next);
+    previous = next;
+  }
+}
+
+/// Fraction of the way from root to tip at which a line leaves the cylinder of radius r about the x axis.
+double leaves_cylinder(const Vec3& root, const Vec3& tip, double r) {
+  const double dy = tip.y() - root.y(), dz = tip.z() - root.z();
+  const double a = dy * dy + dz * dz, b = root.y() * dy + root.z() * dz;
+  const double c = root.y() * root.y() + root.z() * root.z() - r * r;
+  return (std::sqrt(b * b - a * c) - b) / a;
+}
+
+HalfWing wing_of(const Values& v, double size) {
+  const double r = v["fuselage-radius"], chord = v["chord"];
+  const double z = v["wing-height"] * r;
+  HalfWing wing{.section = naca_section(v.integer("digits"), v.is_on("blunt")),
+                .t = {},
+                .root = Vec3(v["wing-position"], 0, z),
+                .half_span = v["span"] / 2,
+                .root_chord = chord,
+                .tip_chord = chord * v["taper"],
+                .sweep = geometry::to_radians(v["sweep"]),
+                .has_rounded_tip = v.is_on("rounded-tip"),
+                .prefix = "wing-",
+                .start = [r](const Vec3& root, const Vec3& tip) { return leaves_cylinder(root, tip, r); }};
+  wing.t = section_parameters(wing.section, 2 * size / (wing.root_chord + wing.tip_chord));
+  return wing;
+}
+
+mesh::SurfaceMesh make_wing_body(const Values& v, double size) {
+  const double r = v["fuselage-radius"],
+               h = std::min(size == 0 ? kDefaultSize * v["chord"] : size, 2 * kPi * r / kMinRound);
+  const double begin = kNoseLength * r, end = v["fuselage-length"] - kTailLength * r;
+  const double room = r * std::sqrt(1 - v["wing-height"] * v["wing-height"]);
+  require(v["span"] / 2 > 1.5 * r,
+          "the wing must reach out of the fuselage: give a larger span or smaller fuselage-radius");
+  const double back =
+      v["wing-position"] + v["chord"] + std::max(0.0, room * std::tan(geometry::to_radians(v["sweep"])));
+  require(v["wing-position"] > begin + h && back < end - h,
+          "the wing's root must lie on the cylindrical part of the fuselage, from 3 radii behind its nose to 5 radii "
+          "before its tail: change wing-position, chord or fuselage-length");
+
+  SurfaceBuilder builder;
+  const PatchId fuselage = builder.patch("fuselage");
+  const SectionRows root = add_half_wing(builder, wing_of(v, h), h);
+  const Row front = add_half_circle(builder, begin, r, h, false), rear = add_half_circle(builder, end, r, h, false);
+  add_half_end(builder, fuselage, elliptic_piece("", begin, begin, r, kPi, kPi / 2, h).points, front, true, h);
+  add_half_end(builder, fuselage, elliptic_piece("", end, kTailLength * r, r, kPi / 2, 0, h).points, rear, false, h);
+
+  // The cylinder between, unrolled, with a hole where the wing is.
+  const Chart unrolled{[r](const Vec3& p) {
+                         return Point2{p.x(), r * std::atan2(p.z(), p.y())};
+                       },
+                       [r](const Point2& q) { return Vec3(q.u, r * std::cos(q.v / r), r * std::sin(q.v / r)); }};
+  const Row outline = loop_of({front, builder.edge(front.back(), rear.back(), h), reversed(rear),
+                               builder.edge(rear.front(), front.front(), h)});
+  builder.fill(fuselage, {outline, root.loop()}, unrolled, h);
+  builder.mirror(1);
+  return builder.finish();
+}
+
+}  // namespace
+
+std::vector<Definition> aircraft_shapes() {
+  return {{{"wing-body",
+            "wing on a fuselage of revolution, joined along their line of intersection; patches fuselage, wing-upper, "
+            "wing-lower, wing-tip, wing-trailing-edge",
+            {length("fuselage-length", 8, "whole length of the fuselage, along x"),
+             length("fuselage-radius", 0.5, "radius of the fuselage's cylinder"),
+             integer("digits", 12, 1, 9999, "the wing section's four NACA digits, 12 for NACA 0012"),
+             length("chord", 1.4, "chord in the plane of symmetry"), length("span", 7, "from tip to tip"),
+             number("taper", 0.4, 0.1, 2, "chord at the tip over chord in the plane of symmetry"),
+             angle("sweep", 25, -40, 60, "sweep of the leading edge"),
+             length("wing-position", 2.6, "leading edge in the plane of symmetry, behind the nose"),
+             number("wing-height", -0.3, -0.6, 0.6, "of the wing over the fuselage's axis, over the radius"),
+             option("blunt", false, "1: the section's own blunt trailing edge; 0: a sharp one"),
+             option("rounded-tip", true, "1: tips are half bodies of revolution; 0: flat tips")}},
+           make_wing_body}};
+}
+
+}  // namespace nearwall::shapes
