@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "nearwall/mesh/surface_mesh.h"
+
+namespace nearwall::io {
+
+/// Reads a surface as it stands in the file: points and triangles in the file's order, nothing welded, turned or
+/// dropped. Formats with shared points (obj, ply, off, vtp, vtk) keep the sharing; stl gives three points for each
+/// triangle. Faces with more than three corners are triangulated, patches without faces left out.
+///
+/// \param path  ends in stl, obj, ply, off, vtp or vtk, upper or lower case, also with .gz behind it
+/// \throws InputError     no such file, a folder, or an ending that is not known
+///         IoError        no permission, read failure, no memory
+///         GeometryError  the content is malformed or holds no triangle: file, line or byte, what was expected
+/// Memory: about the (decompressed) file and the mesh. What each format keeps: docs/formats.md.
+mesh::SurfaceMesh read_surface(const std::filesystem::path& path);
+
+}  // namespace nearwall::io
