@@ -16,18 +16,24 @@ namespace nearwall::surface {
 
 namespace {
 
+constexpr double kRightAngle = std::numbers::pi / 2;
+
+double cosine_of(double squared_chord) { return 1.0 - 0.5 * squared_chord; }
+double angle_of(double squared_chord) { return 2.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(squared_chord))); }
+
 /// A direction that sees all faces sees the worst one under less than a right angle, however little.
-double below_right_angle(double angle) { return std::min(angle, std::nextafter(std::numbers::pi / 2, 0.0)); }
+double below_right_angle(double angle) { return std::min(angle, std::nextafter(kRightAngle, 0.0)); }
 
 /// Where no direction was found that surely sees all: decides exactly, the few vectors in the way first.
-std::optional<VisibleNormal> most_visible_at_the_limit(std::span<const Vec3> given, const Cap& cap) {
+std::optional<VisibleNormal> most_visible_at_the_limit(std::span<const Vec3> given, std::span<const Vec3> units,
+                                                       const Cap& cap) {
   std::array<Vec3, 4> seat;
   for (std::size_t k = 0; k < cap.n_seat; ++k) seat[k] = given[cap.seat[k]];
   if (!find_seeing_direction({seat.data(), cap.n_seat})) return std::nullopt;
   // The cone is open by no more than rounding: any direction in it is optimal to all digits.
   const std::optional<Vec3> direction = find_seeing_direction(given);
   if (!direction) return std::nullopt;
-  return VisibleNormal{*direction, below_right_angle(std::numbers::pi / 2)};
+  return VisibleNormal{*direction, below_right_angle(angle_of(squared_chord_to_worst(*direction, units)))};
 }
 
 /// Vectors for one call: on the stack for all but extraordinary vertices.
@@ -63,13 +69,25 @@ bool sees_all(const Vec3& direction, std::span<const Vec3> normals) {
   });
 }
 
+double squared_chord_to_worst(const Vec3& direction, std::span<const Vec3> normals) {
+  double worst = 0;
+  for (const Vec3& normal : normals) worst = std::max(worst, squared_norm(normal - direction));
+  return worst;
+}
+
+PointNormal judged(const Vec3& direction, std::span<const Vec3> normals, double squared_chord) {
+  const bool is_visible = cosine_of(squared_chord) > kSurelyPositive || sees_all(direction, normals);
+  const double angle = angle_of(squared_chord);
+  return {direction, is_visible ? below_right_angle(angle) : std::max(angle, kRightAngle), is_visible};
+}
+
 std::optional<VisibleNormal> most_visible_of(std::span<const Vec3> given, std::span<const Vec3> units) {
   const Cap cap = smallest_cap(units);
-  const double worst_cosine = 1.0 - 0.5 * cap.squared_chord;
+  const double worst_cosine = cosine_of(cap.squared_chord);
   if (worst_cosine > kSurelyPositive || (worst_cosine > 0 && sees_all(cap.centre, given))) {
-    return VisibleNormal{cap.centre, below_right_angle(2.0 * std::asin(0.5 * std::sqrt(cap.squared_chord)))};
+    return VisibleNormal{cap.centre, below_right_angle(angle_of(cap.squared_chord))};
   }
-  return most_visible_at_the_limit(given, cap);
+  return most_visible_at_the_limit(given, units, cap);
 }
 
 std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_normals) {

@@ -14,8 +14,8 @@ constexpr double kHemisphere = 2.0;
 /// A vector this much (in chord) outside a cap is on its rim: a few roundings of the coordinates of a unit vector.
 constexpr double kRim = 4 * std::numeric_limits<double>::epsilon();
 
-/// Twice the rounding error of sums of squared chords.
-constexpr double kRightAngle = 0x1p-47;
+/// More than the relative rounding of a sum of squared chords: an angle this near to a right one is taken either way.
+constexpr double kRightAngle = 0x1p-49;
 
 double squared_distance(const Vec3& a, const Vec3& b) { return squared_norm(a - b); }
 
@@ -44,8 +44,8 @@ Vec3 centre_through(const Vec3& a, const Vec3& b, const Vec3& base) {
 
 /// The vectors of an active set: at most four.
 struct ActiveSet {
-  std::array<Vec3, 4> vector;
-  std::array<std::size_t, 4> index;
+  std::array<Vec3, 4> vector{};
+  std::array<std::size_t, 4> index{};
   std::size_t n = 0;
 
   void add(const Vec3& v, std::size_t i) {
@@ -89,7 +89,7 @@ bool consider_pairs(const ActiveSet& set, const SquaredDistances& squared, Candi
   for (std::size_t i = 0; i < last; ++i) {
     bool may_hold_all = true;
     for (std::size_t k = 0; k < last; ++k) {
-      may_hold_all &= squared[i][k] + squared[k][last] <= squared[i][last] + kRightAngle;
+      may_hold_all &= squared[i][k] + squared[k][last] <= squared[i][last] * (1.0 + kRightAngle);
     }
     if (may_hold_all && consider(set, centre_of_pair(set.vector[i], set.vector[last]), {i, last, last}, 2, best)) {
       return true;
@@ -106,7 +106,7 @@ void consider_triples(const ActiveSet& set, const SquaredDistances& squared, Can
     for (std::size_t j = i + 1; j < last; ++j) {
       const double ij = squared[i][j], jk = squared[j][last], ki = squared[i][last];
       const double longest = std::max({ij, jk, ki});
-      if (2.0 * longest > ij + jk + ki + kRightAngle) continue;
+      if (2.0 * longest > (ij + jk + ki) * (1.0 + kRightAngle)) continue;
       // The base between the two shortest edges makes the cross product sharpest.
       const Vec3 centre = longest == ij   ? centre_through(v[i], v[j], v[last])
                           : longest == jk ? centre_through(v[j], v[last], v[i])
@@ -158,19 +158,20 @@ Cap smallest_cap(std::span<const Vec3> units) {
   set.add(units[first], first);
   Cap cap{units[first], std::numeric_limits<double>::infinity(), set.index, 1};
   double lower_bound = 0;  // squared chord of the active set's own smallest cap
+  bool has_grown = true;
   for (Vec3 centre = units[first];;) {
     const Farthest far = farthest_from(centre, units);
-    if (far.squared_chord < cap.squared_chord) {
-      cap = {centre, far.squared_chord, set.index, set.n};
-    }
-    if (!is_outside(far.squared_chord, lower_bound)) return cap;
+    const bool is_better = far.squared_chord < cap.squared_chord;
+    if (is_better) cap = {centre, far.squared_chord, set.index, set.n};
+    // In exact arithmetic the bound grows with each vector. Where rounding hides that (two nearly opposite vectors
+    // hardly hold the centre between them), it goes on as long as the cap gets smaller.
+    if (!is_outside(far.squared_chord, lower_bound) || (!is_better && !has_grown)) return cap;
     set.add(units[far.index], far.index);
     const Candidate next = cap_through_last(set);
     // Beyond a hemisphere the smallest cap is none of those through pairs and triples.
     if (!(next.squared_chord < kHemisphere)) return {{}, kHemisphere, set.index, set.n};
-    // In exact arithmetic the bound grows with each vector; where rounding stops it, the best cap so far is optimal.
-    if (!(next.squared_chord > lower_bound)) return cap;
-    lower_bound = next.squared_chord;
+    has_grown = next.squared_chord > lower_bound;
+    lower_bound = std::max(lower_bound, next.squared_chord);
     centre = next.centre;
     const ActiveSet before = set;
     set.n = 0;
