@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "nearwall/core/errors.h"
+#include "nearwall/core/nearest.h"
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
@@ -26,6 +29,44 @@ struct NormalsArguments {
   double weld = 0;
   double ridge_angle_deg = 40;
 };
+
+/// Methods of later versions.
+constexpr std::array kLaterMethods = {"uniform",
+                                      "area",
+                                      "inverse-area",
+                                      "projected-area",
+                                      "little-1",
+                                      "little-1/2",
+                                      "little-2",
+                                      "max",
+                                      "little-max",
+                                      "inverse-diameter",
+                                      "angle-over-diameter",
+                                      "inverse-circumarea",
+                                      "angle-over-circumarea",
+                                      "most-normal",
+                                      "kallinderis",
+                                      "pirzadeh",
+                                      "iterative",
+                                      "thin-plate",
+                                      "hardy",
+                                      "shepard",
+                                      "linear-fit",
+                                      "quadratic-fit",
+                                      "renka-cline",
+                                      "nielson"};
+
+surface::NormalMethod method_of(const std::string& name) {
+  if (name == "most-visible") return surface::NormalMethod::MostVisible;
+  if (name == "angle") return surface::NormalMethod::Angle;
+  if (std::find(kLaterMethods.begin(), kLaterMethods.end(), name) != kLaterMethods.end()) {
+    throw InputError(fmt::format("--method {}: not in this version, which has most-visible and angle", name));
+  }
+  const std::array<std::string, 2> known = {"most-visible", "angle"};
+  const std::string near = nearest(name, known);
+  throw InputError(fmt::format("--method {}: unknown{}; there are most-visible and angle", name,
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+}
 
 using PointNormals = IdVector<VertexId, surface::PointNormal>;
 
@@ -55,12 +96,12 @@ io::PolyDataFile with_normals(const mesh::SurfaceMesh& mesh, const mesh::Topolog
 }
 
 ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
+  const surface::NormalMethod method = method_of(arguments.method);
   const LoadedSurface loaded = load_surface(arguments.file, arguments.weld, console);
   const mesh::Topology topology(loaded.mesh);
   const surface::FeatureOptions options{.ridge_angle = arguments.ridge_angle_deg / kDegreesPerRadian};
   const auto features =
       staged(console, "features", [&] { return surface::find_features(loaded.mesh, topology, options); });
-  const auto method = arguments.method == "angle" ? surface::NormalMethod::Angle : surface::NormalMethod::MostVisible;
   const PointNormals normals =
       staged(console, "normals", [&] { return surface::point_normals(loaded.mesh, topology, features, method); });
   io::write_polydata(arguments.output, with_normals(loaded.mesh, topology, features, normals));
@@ -94,7 +135,6 @@ void add_normals_command(CommandLine& line) {
       ->required();
   app.add_option("--method", arguments->method, "most-visible: sees its worst face best; angle: weighted by angles")
       ->type_name("M")
-      ->check(CLI::IsMember({"most-visible", "angle"}))
       ->capture_default_str();
   app.add_option("--weld", arguments->weld, "distance within which points become one [length]; 0: equal points only")
       ->type_name("LENGTH")
