@@ -71,6 +71,10 @@ bool any_meets(const std::vector<Shape>& parts, const Shape& other) {
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) { return meet(shape(a), shape(b)); }
 
+bool segment_intersects_triangle(const Vec3& p, const Vec3& q, const Triangle& t) {
+  return meet(segment_shape(p, q), shape(t));
+}
+
 bool triangles_intersect_beyond_vertex(const Triangle& a, const Triangle& b) {
   // Their common part is convex and holds the corner: if it holds more, it reaches where one of the two ends.
   return any_meets(exits(a), shape(b)) || any_meets(exits(b), shape(a));

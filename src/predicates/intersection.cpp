@@ -88,6 +88,12 @@ bool triangles_intersect(const Triangle& a, const Triangle& b) {
   return edges_pierce(a, signs_a, b) || edges_pierce(b, signs_b, a);
 }
 
+bool segment_intersects_triangle(const Vec3& p, const Vec3& q, const Triangle& t) {
+  const Sign side_p = side(t, p), side_q = side(t, q);
+  if (side_p == Sign::Zero || side_q == Sign::Zero) return exact::segment_intersects_triangle(p, q, t);
+  return side_p != side_q && pierces(p, q, t);
+}
+
 bool triangles_intersect_beyond_vertex(const Triangle& a, const Triangle& b) {
   if (are_apart_along_an_axis(a, b)) return false;
   const Sign b1 = side(a, b[1]), b2 = side(a, b[2]);

@@ -12,6 +12,9 @@ using Triangle = std::array<Vec3, 3>;
 /// Whether two closed triangles without a common corner have a point in common. Exact; touching counts.
 bool triangles_intersect(const Triangle& a, const Triangle& b);
 
+/// Whether the closed segment from p to q has a point in common with the closed triangle. Exact.
+bool segment_intersects_triangle(const Vec3& p, const Vec3& q, const Triangle& t);
+
 /// Whether two triangles that share the corner a[0] = b[0] meet anywhere else. Exact.
 bool triangles_intersect_beyond_vertex(const Triangle& a, const Triangle& b);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <functional>
+#include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,9 +17,10 @@ struct IndexedTriangles {
 };
 
 /// All pairs (i < j) of triangles that meet elsewhere than in the corners and edges they share by index. Exact. Pairs
-/// sorted. Box filter (CGAL's box intersection), then predicates/intersection.h.
-/// \param moved  if not empty (n_triangles): only pairs in which at least one triangle is marked are looked at
-/// Cost: O(n log n + pairs of boxes), on all threads.
+/// sorted. Corners that are equal in coordinates only are not shared: such triangles meet, as do those of the same
+/// three corners. Boxes on a tree first, then predicates/intersection.h. \param moved  if not empty (n_triangles): only
+/// pairs in which at least one triangle is marked are looked at \throws InputError if a coordinate is not finite. Cost:
+/// O(n log n + pairs of boxes), on all threads.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(const IndexedTriangles& soup,
                                                                         std::span<const char> moved = {});
 

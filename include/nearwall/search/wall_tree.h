@@ -29,13 +29,14 @@ class WallTree {
   };
 
   /// Nearest triangle that the segment from `from` to `to` meets, among those for which `keep(face)` holds; an invalid
-  /// face if none. Ties go to the smallest face id.
+  /// face if none. Ties go to the smallest face id. A triangle in whose plane the segment runs counts as far away as
+  /// its nearest point.
   Hit first_hit(const Vec3& from, const Vec3& to, const std::function<bool(FaceId)>& keep) const;
 
   /// Faces whose boxes meet the given box, in increasing order.
   std::vector<FaceId> faces_near(const geometry::Box& box) const;
 
-  /// Nearest point of the surface.
+  /// Nearest point of the surface; ties go to the smallest face id. The surface must have a face.
   struct Nearest {
     FaceId face;
     Vec3 point;
