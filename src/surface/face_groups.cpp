@@ -31,10 +31,20 @@ class DisjointSets {
 
 using Corners = std::array<VertexId, 3>;
 
-/// The corners in increasing order.
-Corners sorted_corners(Corners corners) {
+/// A face by its corners in increasing order.
+struct SortedFace {
+  VertexId low, middle, high;
+  FaceId face;
+  auto operator<=>(const SortedFace&) const = default;
+
+  bool has_corners_of(const SortedFace& other) const {
+    return low == other.low && middle == other.middle && high == other.high;
+  }
+};
+
+SortedFace sorted_face(Corners corners, FaceId f) {
   std::ranges::sort(corners);
-  return corners;
+  return {corners[0], corners[1], corners[2], f};
 }
 
 /// Whether the face runs from its smallest to its middle to its largest corner.
@@ -55,20 +65,15 @@ std::uint32_t corner_at(const mesh::SurfaceMesh& surface, HalfedgeId h, VertexId
 Copies find_copies(const mesh::SurfaceMesh& surface) {
   Copies copies;
   copies.kind.assign(surface.faces.size(), Copy::None);
-  struct Entry {
-    Corners corners;
-    FaceId face;
-    auto operator<=>(const Entry&) const = default;
-  };
-  std::vector<Entry> entries;
+  std::vector<SortedFace> entries;
   for (const FaceId f : surface.faces.ids()) {
     copies.original.push_back(f);
-    if (!has_repeated_corner(surface.faces[f])) entries.push_back({sorted_corners(surface.faces[f]), f});
+    if (!has_repeated_corner(surface.faces[f])) entries.push_back(sorted_face(surface.faces[f], f));
   }
   std::ranges::sort(entries);
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     std::array<bool, 2> is_seen = {false, false};
-    while (end < entries.size() && entries[end].corners == entries[begin].corners) {
+    while (end < entries.size() && entries[end].has_corners_of(entries[begin])) {
       const FaceId f = entries[end].face;
       const std::size_t way = runs_upwards(surface.faces[f]) ? 1 : 0;
       copies.original[f] = entries[begin].face;
