@@ -18,6 +18,9 @@ namespace nearwall {
 /// What a patch is to the layers.
 enum class PatchType { Wall, NoLayer };
 
+/// What happens to a line that cannot have all its layers. This version compresses them in either case.
+enum class OnConflict { Auto, Compress };
+
 /// Keys of [layers], which a patch may give, too; what is empty is inherited.
 struct LayerSettings {
   std::optional<double> first_height;     ///< [length]
@@ -30,7 +33,12 @@ struct LayerSettings {
   std::optional<int> constant_layers;    ///< law "accelerating"
   std::optional<double> acceleration;    ///< law "accelerating"
   std::optional<double> largest_growth;  ///< law "accelerating"
-  std::optional<double> min_coverage;    ///< [percent] of the patch with all layers
+  std::optional<OnConflict> on_conflict;
+  std::optional<double> min_coverage;  ///< [percent] of the patch with all layers
+  std::string where;                   ///< place of the first key in the case file, for messages
+
+  /// `law`, or what follows without it: a table where heights are given, geometric otherwise.
+  spacing::Law law_in_force() const;
 };
 
 /// One table [patches.NAME] of the case file.
@@ -60,14 +68,15 @@ struct OutputSettings {
   bool pictures = true;
 };
 
-/// A case as `read_case` gives it: every value checked. Angles in radians.
+/// A case as `read_case` gives it: every value checked.
 struct Case {
   std::filesystem::path file;  ///< the case file; empty for a case made in code
   std::string name;            ///< of the output files; empty: stem of the surface file
   SurfaceSettings surface;
-  std::vector<PatchRule> patches;             ///< in the order of the file; later ones win, exact names over patterns
-  double ridge_angle = 0.698131700797731837;  ///< [rad]
+  std::vector<PatchRule> patches;  ///< in the order of the file; later ones win, exact names over patterns
+  double ridge_angle_deg = 40;     ///< turn from which an edge is a ridge [degrees]
   surface::NormalMethod normals = surface::NormalMethod::MostVisible;
+  bool is_multi_allowed = true;  ///< normals.multi = "auto". This version lays one line for each point in either case
   SmoothingSettings smoothing;
   LayerSettings layers;
   std::optional<spacing::FlowConditions> flow;
