@@ -1,0 +1,114 @@
+#include "pipeline/case_keys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace nearwall::pipeline {
+
+namespace {
+
+/// Keys of the format that this version knows and does not do: their defaults are accepted.
+Key later(std::string_view table, std::string_view name, Kind kind, std::string_view default_text,
+          std::string_view doc) {
+  return {.table = table, .name = name, .kind = kind, .default_text = default_text, .is_later = true, .doc = doc};
+}
+
+}  // namespace
+
+std::vector<Key> later_keys() {
+  std::vector<Key> keys = {
+      later("normals", "multi_angle", Kind::Number, "100.0", "turn of a convex ridge from which it gets several lines"),
+      later("normals", "max_turn", Kind::Number, "45.0", "largest angle between two neighbouring lines of a fan"),
+      later("layers", "until", Kind::Text, "", "stop where layers are as high as their triangles are wide"),
+      later("layers", "max_level_step", Kind::Integer, "\"auto\"", "levels between neighbouring lines that move"),
+      later("volume", "fill", Kind::Choice, "\"none\"", "what fills the rest of the volume"),
+      later("volume", "growth", Kind::Number, "1.3", "of cells away from the layers"),
+      later("volume.farfield", "shape", Kind::Choice, "\"sphere\"", "of the outer boundary"),
+      later("volume.farfield", "radius", Kind::Number, "\"auto\"", "of the outer boundary"),
+      later("volume.farfield", "size", Kind::Number, "\"auto\"", "of the triangles there")};
+  for (Key& key : keys) {
+    if (key.default_text == "\"auto\"") key.takes_auto = true;
+    if (key.name == "fill") key.choices = {"none"}, key.later = {"tetgen"};
+    if (key.name == "shape") key.choices = {"sphere"}, key.later = {"box", "given"};
+  }
+  return keys;
+}
+
+const std::vector<std::string_view>& case_tables() {
+  static const std::vector<std::string_view> tables = {"",        "surface",         "patches", "features",
+                                                       "normals", "smoothing",       "layers",  "flow",
+                                                       "volume",  "volume.farfield", "output"};
+  return tables;
+}
+
+const std::vector<Key>& case_keys() {
+  static const std::vector<Key> keys = [] {
+    std::vector<Key> all;
+    for (const auto& part : {general_keys(), layer_keys(), later_keys()})
+      all.insert(all.end(), part.begin(), part.end());
+    const auto place = [](const Key& key) {
+      const auto& tables = case_tables();
+      return std::find(tables.begin(), tables.end(), key.table) - tables.begin();
+    };
+    std::stable_sort(all.begin(), all.end(), [&](const Key& a, const Key& b) { return place(a) < place(b); });
+    return all;
+  }();
+  return keys;
+}
+
+const Key* find_key(std::string_view table, std::string_view name) {
+  for (const Key& key : case_keys()) {
+    if (key.table == table && key.name == name) return &key;
+  }
+  return nullptr;
+}
+
+std::string dotted(const Key& key) {
+  if (key.table == "patches") return fmt::format("patches.NAME.{}", key.name);
+  return key.table.empty() ? std::string(key.name) : fmt::format("{}.{}", key.table, key.name);
+}
+
+namespace {
+
+std::string allowed_numbers(const Key& key, std::string_view noun) {
+  const Range& r = key.range;
+  const bool has_low = std::isfinite(r.low), has_high = std::isfinite(r.high);
+  if (has_low && has_high) {
+    return r.low == r.high ? fmt::format("{}", r.low) : fmt::format("{} from {} to {}", noun, r.low, r.high);
+  }
+  if (has_low) return fmt::format("{} {} {}", noun, r.is_low_open ? "above" : "of at least", r.low);
+  return std::string(noun);
+}
+
+}  // namespace
+
+std::string allowed(const Key& key) {
+  std::string phrase;
+  switch (key.kind) {
+    case Kind::Number:
+      phrase = allowed_numbers(key, "a number");
+      break;
+    case Kind::Integer:
+      phrase = allowed_numbers(key, "an integer");
+      break;
+    case Kind::Boolean:
+      return key.takes_auto ? "\"auto\" or false" : "true or false";
+    case Kind::Text:
+      return "a text in quotes";
+    case Kind::Choice:
+      return fmt::format("\"{}\"", fmt::join(key.choices, "\", \""));
+    case Kind::Choices:
+      return fmt::format("a list of \"{}\"", fmt::join(key.choices, "\", \""));
+    case Kind::Numbers:
+      phrase = fmt::format("a list, [h1, h2, …], each {}", allowed_numbers(key, "a number"));
+      break;
+  }
+  if (!key.unit.empty()) phrase += fmt::format(" ({})", key.unit);
+  if (key.takes_auto) phrase += " or \"auto\"";
+  return phrase;
+}
+
+}  // namespace nearwall::pipeline

@@ -1,0 +1,284 @@
+#include "pipeline/case_keys.h"
+
+namespace nearwall::pipeline {
+
+namespace {
+
+double number(const CaseValue& v) { return std::get<double>(v); }
+const std::string& text(const CaseValue& v) { return std::get<std::string>(v); }
+bool is_auto(const CaseValue& v) { return std::holds_alternative<std::string>(v) && text(v) == kAuto; }
+
+CaseValue or_auto(const std::optional<double>& v) { return v ? CaseValue(*v) : CaseValue(std::string(kAuto)); }
+
+/// A flow exists from its first key on; that all three are there is checked where y_plus needs them.
+spacing::FlowConditions& flow(Target t) {
+  if (!t.settings.flow) t.settings.flow.emplace();
+  return *t.settings.flow;
+}
+CaseValue flow_value(const Case& c, double spacing::FlowConditions::*member) {
+  return c.flow && (*c.flow).*member > 0 ? CaseValue((*c.flow).*member) : CaseValue();
+}
+
+std::vector<Key> top_and_surface() {
+  std::vector<Key> keys;
+  keys.push_back({.name = "format",
+                  .kind = Kind::Integer,
+                  .default_text = "1",
+                  .range = {1, 1},
+                  .doc = "version of this format",
+                  .set = [](Target, const CaseValue&) {},
+                  .get = [](const Case&, const LayerSettings&) { return CaseValue(std::int64_t{1}); }});
+  keys.push_back({.name = "name",
+                  .kind = Kind::Text,
+                  .example = "\"onera-m6\"",
+                  .doc = "of the output files; without it the name of the surface file",
+                  .set = [](Target t, const CaseValue& v) { t.settings.name = text(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.output_name()); }});
+  keys.push_back({.table = "surface",
+                  .name = "file",
+                  .kind = Kind::Text,
+                  .example = "\"surface.stl\"",
+                  .doc = "relative to this file: stl obj ply off vtp vtk, also .gz",
+                  .set = [](Target t, const CaseValue& v) { t.settings.surface.file = text(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.surface.file.string()); }});
+  keys.push_back({.table = "surface",
+                  .name = "scale",
+                  .default_text = "1.0",
+                  .range = {0, std::numeric_limits<double>::infinity(), true},
+                  .doc = "multiplies the coordinates on reading; every other length is in the scaled unit",
+                  .set = [](Target t, const CaseValue& v) { t.settings.surface.scale = number(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.surface.scale); }});
+  keys.push_back({.table = "surface",
+                  .name = "fluid",
+                  .kind = Kind::Choice,
+                  .default_text = "\"outside\"",
+                  .choices = {"outside", "inside"},
+                  .doc = "the side of the wall on which the fluid lies",
+                  .set =
+                      [](Target t, const CaseValue& v) {
+                        using surface::FluidSide;
+                        t.settings.surface.fluid = text(v) == "inside" ? FluidSide::Inside : FluidSide::Outside;
+                      },
+                  .get =
+                      [](const Case& c, const LayerSettings&) {
+                        const bool inside = c.surface.fluid == surface::FluidSide::Inside;
+                        return CaseValue(std::string(inside ? "inside" : "outside"));
+                      }});
+  keys.push_back({.table = "surface",
+                  .name = "weld",
+                  .takes_auto = true,
+                  .unit = "length",
+                  .default_text = "\"auto\"",
+                  .range = {0},
+                  .doc = "points nearer than this become one; auto: bitwise equal ones",
+                  .set =
+                      [](Target t, const CaseValue& v) {
+                        t.settings.surface.weld = is_auto(v) ? std::nullopt : std::optional<double>(number(v));
+                      },
+                  .get = [](const Case& c, const LayerSettings&) { return or_auto(c.surface.weld); }});
+  keys.push_back({.table = "surface",
+                  .name = "repair",
+                  .kind = Kind::Choice,
+                  .default_text = "\"none\"",
+                  .choices = {"none", "safe"},
+                  .doc = "safe: the repairs that cannot change the shape",
+                  .set =
+                      [](Target t, const CaseValue& v) {
+                        using surface::Repair;
+                        t.settings.surface.repair = text(v) == "safe" ? Repair::Safe : Repair::None;
+                      },
+                  .get =
+                      [](const Case& c, const LayerSettings&) {
+                        return CaseValue(std::string(c.surface.repair == surface::Repair::Safe ? "safe" : "none"));
+                      }});
+  keys.push_back(
+      {.table = "patches",
+       .name = "type",
+       .kind = Kind::Choice,
+       .default_text = "\"wall\"",
+       .choices = {"wall", "nolayer"},
+       .later = {"symmetry", "inlet", "outlet", "farfield"},
+       .doc = "wall gets layers, nolayer stays as it is; keys of [layers] may be given here, too",
+       .set = [](Target t,
+                 const CaseValue& v) { t.rule->type = text(v) == "nolayer" ? PatchType::NoLayer : PatchType::Wall; },
+       .get = nullptr});
+  return keys;
+}
+
+std::vector<Key> features_to_smoothing() {
+  std::vector<Key> keys;
+  keys.push_back({.table = "features",
+                  .name = "ridge_angle",
+                  .unit = "degrees",
+                  .default_text = "40.0",
+                  .range = {1, 179},
+                  .doc = "turn (angle between the two face normals) from which an edge is a ridge",
+                  .set = [](Target t, const CaseValue& v) { t.settings.ridge_angle_deg = number(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.ridge_angle_deg); }});
+  keys.push_back({.table = "normals",
+                  .name = "method",
+                  .kind = Kind::Choice,
+                  .default_text = "\"most-visible\"",
+                  .choices = {"most-visible", "angle"},
+                  .later = {"most-normal",
+                            "kallinderis",
+                            "pirzadeh",
+                            "iterative",
+                            "thin-plate",
+                            "hardy",
+                            "shepard",
+                            "linear-fit",
+                            "quadratic-fit",
+                            "renka-cline",
+                            "nielson",
+                            "uniform",
+                            "area",
+                            "inverse-area",
+                            "projected-area",
+                            "little-1",
+                            "little-1/2",
+                            "little-2",
+                            "max",
+                            "little-max",
+                            "inverse-diameter",
+                            "angle-over-diameter",
+                            "inverse-circumarea",
+                            "angle-over-circumarea"},
+                  .doc = "direction of a line where one normal has to see several faces",
+                  .set =
+                      [](Target t, const CaseValue& v) {
+                        using surface::NormalMethod;
+                        t.settings.normals = text(v) == "angle" ? NormalMethod::Angle : NormalMethod::MostVisible;
+                      },
+                  .get =
+                      [](const Case& c, const LayerSettings&) {
+                        const bool is_angle = c.normals == surface::NormalMethod::Angle;
+                        return CaseValue(std::string(is_angle ? "angle" : "most-visible"));
+                      }});
+  keys.push_back(
+      {.table = "normals",
+       .name = "multi",
+       .kind = Kind::Boolean,
+       .takes_auto = true,
+       .default_text = "\"auto\"",
+       .later = {"true"},
+       .doc = "several lines at convex ridges that need it; this version lays one for each point in either case",
+       .set = [](Target t, const CaseValue& v) { t.settings.is_multi_allowed = is_auto(v); },
+       .get =
+           [](const Case& c, const LayerSettings&) {
+             return c.is_multi_allowed ? CaseValue(std::string(kAuto)) : CaseValue(false);
+           }});
+  keys.push_back({.table = "smoothing",
+                  .name = "filter",
+                  .kind = Kind::Choice,
+                  .default_text = "\"taubin\"",
+                  .choices = {"none", "laplacian", "taubin"},
+                  .later = {"most-visible"},
+                  .doc = "how the directions of the lines are evened out",
+                  .set =
+                      [](Target t, const CaseValue& v) {
+                        using surface::SmoothingFilter;
+                        t.settings.smoothing.filter = text(v) == "none"        ? SmoothingFilter::None
+                                                      : text(v) == "laplacian" ? SmoothingFilter::Laplacian
+                                                                               : SmoothingFilter::Taubin;
+                      },
+                  .get =
+                      [](const Case& c, const LayerSettings&) {
+                        using surface::SmoothingFilter;
+                        const SmoothingFilter filter = c.smoothing.filter;
+                        return CaseValue(std::string(filter == SmoothingFilter::None        ? "none"
+                                                     : filter == SmoothingFilter::Laplacian ? "laplacian"
+                                                                                            : "taubin"));
+                      }});
+  keys.push_back({.table = "smoothing",
+                  .name = "iterations",
+                  .kind = Kind::Integer,
+                  .takes_auto = true,
+                  .default_text = "\"auto\"",
+                  .range = {0, 1000},
+                  .doc = "sweeps; auto follows thickness / edge length",
+                  .set =
+                      [](Target t, const CaseValue& v) {
+                        t.settings.smoothing.iterations =
+                            is_auto(v) ? std::nullopt : std::optional<int>(static_cast<int>(std::get<std::int64_t>(v)));
+                      },
+                  .get =
+                      [](const Case& c, const LayerSettings&) {
+                        return c.smoothing.iterations ? CaseValue(std::int64_t{*c.smoothing.iterations})
+                                                      : CaseValue(std::string(kAuto));
+                      }});
+  return keys;
+}
+
+std::vector<Key> flow_and_output() {
+  using spacing::FlowConditions;
+  constexpr Range kPositive = {0, std::numeric_limits<double>::infinity(), true};
+  std::vector<Key> keys;
+  keys.push_back({.table = "flow",
+                  .name = "velocity",
+                  .unit = "length/time",
+                  .example = "50.0",
+                  .range = kPositive,
+                  .doc = "of the free stream; for y_plus",
+                  .set = [](Target t, const CaseValue& v) { flow(t).velocity = number(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return flow_value(c, &FlowConditions::velocity); }});
+  keys.push_back(
+      {.table = "flow",
+       .name = "kinematic_viscosity",
+       .unit = "length²/time",
+       .example = "1.5e-5",
+       .range = kPositive,
+       .doc = "for y_plus",
+       .set = [](Target t, const CaseValue& v) { flow(t).kinematic_viscosity = number(v); },
+       .get = [](const Case& c, const LayerSettings&) { return flow_value(c, &FlowConditions::kinematic_viscosity); }});
+  keys.push_back(
+      {.table = "flow",
+       .name = "reference_length",
+       .unit = "length",
+       .example = "1.0",
+       .range = kPositive,
+       .doc = "run of the boundary layer; for y_plus",
+       .set = [](Target t, const CaseValue& v) { flow(t).reference_length = number(v); },
+       .get = [](const Case& c, const LayerSettings&) { return flow_value(c, &FlowConditions::reference_length); }});
+  keys.push_back({.table = "output",
+                  .name = "directory",
+                  .kind = Kind::Text,
+                  .default_text = "\"out\"",
+                  .doc = "relative to this file",
+                  .set = [](Target t, const CaseValue& v) { t.settings.output.directory = text(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.output.directory.string()); }});
+  keys.push_back({.table = "output",
+                  .name = "formats",
+                  .kind = Kind::Choices,
+                  .default_text = "[\"vtu\"]",
+                  .choices = {"vtu"},
+                  .later = {"vtkhdf", "cgns", "su2", "ugrid", "msh", "openfoam"},
+                  .doc = "of the mesh",
+                  .set = [](Target, const CaseValue&) {},
+                  .get = [](const Case&, const LayerSettings&) { return CaseValue(std::vector<std::string>{"vtu"}); }});
+  keys.push_back({.table = "output",
+                  .name = "report",
+                  .kind = Kind::Boolean,
+                  .default_text = "true",
+                  .doc = "report.json and report.html",
+                  .set = [](Target t, const CaseValue& v) { t.settings.output.report = std::get<bool>(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.output.report); }});
+  keys.push_back({.table = "output",
+                  .name = "pictures",
+                  .kind = Kind::Boolean,
+                  .default_text = "true",
+                  .doc = "PNG pictures of the surface and the layers",
+                  .set = [](Target t, const CaseValue& v) { t.settings.output.pictures = std::get<bool>(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.output.pictures); }});
+  return keys;
+}
+
+}  // namespace
+
+std::vector<Key> general_keys() {
+  std::vector<Key> keys = top_and_surface();
+  for (auto part : {features_to_smoothing(), flow_and_output()}) keys.insert(keys.end(), part.begin(), part.end());
+  return keys;
+}
+
+}  // namespace nearwall::pipeline

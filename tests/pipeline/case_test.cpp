@@ -1,0 +1,331 @@
+#include "nearwall/pipeline/case.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nearwall/core/errors.h"
+
+namespace nearwall {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kLeast = "[surface]\nfile = \"wing.stl\"\n[layers]\nfirst_height = 1e-5\n";
+
+Case parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parse_case(text, "dir/case.toml", overrides);
+}
+
+std::string rejection(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse(text, overrides);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+std::string patch_rejection(const std::string& text, const std::vector<std::string>& patches) {
+  try {
+    resolve_patches(parse(text), patches);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+TEST(ReadCase, NeedsOnlyTheSurfaceAndTheHeights) {
+  const Case c = parse(kLeast);
+  EXPECT_EQ(c.output_name(), "wing");
+  EXPECT_EQ(c.surface_path(), "dir/wing.stl");
+  EXPECT_EQ(c.output_directory(), "dir/out");
+  EXPECT_EQ(c.surface.scale, 1);
+  EXPECT_EQ(c.surface.fluid, surface::FluidSide::Outside);
+  EXPECT_FALSE(c.surface.weld);
+  EXPECT_EQ(c.ridge_angle_deg, 40);
+  EXPECT_EQ(c.normals, surface::NormalMethod::MostVisible);
+  EXPECT_EQ(c.smoothing.filter, surface::SmoothingFilter::Taubin);
+  EXPECT_FALSE(c.smoothing.iterations);
+  EXPECT_TRUE(c.output.report);
+  EXPECT_TRUE(c.output.pictures);
+  EXPECT_EQ(rejection("[layers]\nfirst_height = 1\n"),
+            "dir/case.toml: surface.file: missing: the surface to mesh, relative to this file");
+  EXPECT_THAT(rejection("[surface]\nfile = \"a.stl\"\n"), HasSubstr("layers: the heights are missing"));
+}
+
+TEST(ReadCase, ReadsEveryKeyOfTheFormat) {
+  const Case c = parse(R"(
+format = 1
+name   = "onera-m6"
+[surface]
+file   = "onera_m6.stl.gz"
+scale  = 1e-3
+fluid  = "inside"
+weld   = 1e-6
+repair = "safe"
+[patches."*"]
+type = "wall"
+[patches.tip]
+type = "nolayer"
+growth = 1.1
+[features]
+ridge_angle = 30
+[normals]
+method = "angle"
+multi  = false
+multi_angle = 100.0
+max_turn    = 45
+[smoothing]
+filter = "laplacian"
+iterations = 7
+[layers]
+y_plus = 1.0
+growth       = 1.25
+count        = 20
+law          = "tanh"
+on_conflict  = "compress"
+max_level_step = "auto"
+min_coverage = 90
+[flow]
+velocity = 50
+kinematic_viscosity = 1.5e-5
+reference_length = 1
+[volume]
+fill = "none"
+farfield = { shape = "sphere", radius = "auto", size = "auto" }
+growth = 1.3
+[output]
+directory = "results"
+formats = ["vtu"]
+report = false
+pictures = false
+)");
+  EXPECT_EQ(c.name, "onera-m6");
+  EXPECT_EQ(c.surface.scale, 1e-3);
+  EXPECT_EQ(c.surface.fluid, surface::FluidSide::Inside);
+  EXPECT_EQ(c.surface.weld, 1e-6);
+  EXPECT_EQ(c.surface.repair, surface::Repair::Safe);
+  ASSERT_EQ(c.patches.size(), 2u);
+  EXPECT_EQ(c.patches[0].pattern, "*");
+  EXPECT_EQ(c.patches[1].type, PatchType::NoLayer);
+  EXPECT_EQ(c.patches[1].layers.growth, 1.1);
+  EXPECT_EQ(c.ridge_angle_deg, 30);
+  EXPECT_EQ(c.normals, surface::NormalMethod::Angle);
+  EXPECT_FALSE(c.is_multi_allowed);
+  EXPECT_EQ(c.smoothing.filter, surface::SmoothingFilter::Laplacian);
+  EXPECT_EQ(c.smoothing.iterations, 7);
+  EXPECT_EQ(c.layers.y_plus, 1);
+  EXPECT_EQ(c.layers.growth, 1.25);
+  EXPECT_EQ(c.layers.count, 20);
+  EXPECT_EQ(c.layers.law, spacing::Law::Tanh);
+  EXPECT_EQ(c.layers.on_conflict, OnConflict::Compress);
+  EXPECT_EQ(c.layers.min_coverage, 90);
+  EXPECT_EQ(c.flow->velocity, 50);
+  EXPECT_EQ(c.output.directory, "results");
+  EXPECT_FALSE(c.output.report);
+  EXPECT_FALSE(c.output.pictures);
+}
+
+struct Mistake {
+  const char* name;
+  std::string text;     ///< a line after kLeast, which has four; it is the fifth
+  std::string message;  ///< exact
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* os) { *os << mistake.name; }
+
+class CaseMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(CaseMistake, IsNamedWithItsPlaceAndWhatIsAllowed) {
+  EXPECT_EQ(rejection(kLeast + GetParam().text), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CaseMistake,
+    testing::ValuesIn(std::vector<Mistake>{
+        {"MistypedKey", "growht = 1.2\n", "dir/case.toml:5:1: layers.growht: unknown key; nearest: growth"},
+        {"KeyOfAnotherTable", "scale = 2.0\n", "dir/case.toml:5:1: layers.scale: unknown key; nearest: surface.scale"},
+        {"MistypedTable", "[flwo]\nvelocity = 1\n", "dir/case.toml:5:2: flwo: unknown table; nearest: [flow]"},
+        {"WrongType", "count = \"many\"\n",
+         "dir/case.toml:5:9: layers.count: expected an integer from 1 to 1000 (layers), found \"many\""},
+        {"FractionOfALayer", "count = 2.5\n",
+         "dir/case.toml:5:9: layers.count: expected an integer from 1 to 1000 (layers), found 2.5"},
+        {"WithUnit", "total_thickness = \"3 mm\"\n",
+         "dir/case.toml:5:19: layers.total_thickness: expected a number above 0 (length), found \"3 mm\"; write a "
+         "plain "
+         "number without quotes: length in the scaled unit of the surface"},
+        {"OutOfRange", "growth = 0.8\n", "dir/case.toml:5:10: layers.growth: expected a number from 1 to 2, found 0.8"},
+        {"NotFinite", "total_thickness = inf\n",
+         "dir/case.toml:5:19: layers.total_thickness: expected a number above 0 (length), found inf"},
+        {"Radians", "[features]\nridge_angle = 0.7\n",
+         "dir/case.toml:6:15: features.ridge_angle: expected a number from 1 to 179 (degrees), found 0.7"},
+        {"MistypedChoice", "law = \"geometrc\"\n",
+         "dir/case.toml:5:7: layers.law: expected \"geometric\", \"accelerating\", \"tanh\", \"table\", found "
+         "\"geometrc\"; nearest: \"geometric\""},
+        {"Stairs", "on_conflict = \"stair\"\n",
+         "dir/case.toml:5:15: layers.on_conflict: \"stair\" is not in this version; expected \"auto\", \"compress\""},
+        {"Until", "until = \"isotropic\"\n", "dir/case.toml:5:9: layers.until: \"isotropic\" is not in this version"},
+        {"LevelStep", "max_level_step = 3\n", "dir/case.toml:5:18: layers.max_level_step: 3 is not in this version"},
+        {"Fill", "[volume]\nfill = \"tetgen\"\n",
+         "dir/case.toml:6:8: volume.fill: \"tetgen\" is not in this version; expected \"none\""},
+        {"FarFieldRadius", "[volume.farfield]\nradius = 10\n",
+         "dir/case.toml:6:10: volume.farfield.radius: 10 is not in this version"},
+        {"Symmetry", "[patches.mid]\ntype = \"symmetry\"\n",
+         "dir/case.toml:6:8: patches.mid.type: \"symmetry\" is not in this version; expected \"wall\", \"nolayer\""},
+        {"Multi", "[normals]\nmulti = true\n", "dir/case.toml:6:9: normals.multi: true is not in this version"},
+        {"MultiAngle", "[normals]\nmulti_angle = 90\n",
+         "dir/case.toml:6:15: normals.multi_angle: 90 is not in this version"},
+        {"Format", "[output]\nformats = [\"vtu\", \"cgns\"]\n",
+         "dir/case.toml:6:11: output.formats: \"cgns\" is not in this version; expected a list of \"vtu\""},
+        {"NoFormat", "[output]\nformats = []\n",
+         "dir/case.toml:6:11: output.formats: expected a list of \"vtu\", found []"},
+        {"Boolean", "[output]\nreport = 1\n", "dir/case.toml:6:10: output.report: expected true or false, found 1"},
+        {"Date", "[output]\ndirectory = 2024-01-01\n",
+         "dir/case.toml:6:13: output.directory: expected a text in quotes, found 2024-01-01"},
+        {"EmptyText", "[output]\ndirectory = \"\"\n",
+         "dir/case.toml:6:13: output.directory: expected a text in quotes, found \"\", which is empty"},
+        {"ValueForATable", "[output.report]\nx = 1\n",
+         "dir/case.toml:5:1: output.report: expected true or false, found a table"},
+        {"UnknownKeyOfPatch", "[patches.wing]\nkind = \"wall\"\n",
+         "dir/case.toml:6:1: patches.wing.kind: unknown key; keys of [patches] are type, first_height, y_plus, growth, "
+         "count, total_thickness, law, heights, constant_layers, acceleration, largest_growth, on_conflict, "
+         "min_coverage, until, max_level_step"},
+        {"TooManyQuantities", "growth = 1.2\ncount = 3\ntotal_thickness = 1.0\n",
+         "dir/case.toml:4:1: layers: layers: any three of first_height, growth, count and total_thickness determine "
+         "the "
+         "fourth; leave out one"},
+        {"BothHeights", "y_plus = 1.0\n",
+         "dir/case.toml:4:1: layers: first_height and y_plus exclude each other; leave out one"},
+    }),
+    [](const auto& parameter) { return std::string(parameter.param.name); });
+
+TEST(ReadCase, NamesThePlaceOfWhatIsNoToml) {
+  EXPECT_THAT(rejection("[surface]\nfile = wing.stl\n"), StartsWith("dir/case.toml:2:"));
+  EXPECT_THAT(rejection("[surface]\nfile = \"a.stl\"\nfile = \"b.stl\"\n"), StartsWith("dir/case.toml:3:"));
+}
+
+TEST(ReadCase, WantsAFlowForYPlus) {
+  EXPECT_EQ(rejection("[surface]\nfile = \"a.stl\"\n[layers]\ny_plus = 1.0\n[flow]\nvelocity = 1.0\n"),
+            "dir/case.toml:4:1: layers: y_plus needs [flow] with velocity, kinematic_viscosity and reference_length; "
+            "missing: kinematic_viscosity, reference_length");
+}
+
+TEST(ReadCase, SaysThatThereIsNoFile) {
+  try {
+    read_case("/nowhere/case.toml");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "/nowhere/case.toml: no such case file");
+  }
+}
+
+TEST(Overrides, ReplaceValuesAndAddNewOnes) {
+  const Case c = parse(kLeast, {"layers.first_height=2e-5", "layers.count=12", "surface.file=other.ply",
+                                "patches.\"wing.tip\".type=\"nolayer\"", "output.formats=[\"vtu\"]"});
+  EXPECT_EQ(c.layers.first_height, 2e-5);
+  EXPECT_EQ(c.layers.count, 12);
+  EXPECT_EQ(c.surface.file, "other.ply");
+  ASSERT_EQ(c.patches.size(), 1u);
+  EXPECT_EQ(c.patches[0].pattern, "wing.tip");
+}
+
+TEST(Overrides, AreNamedWhenWrong) {
+  EXPECT_EQ(rejection(kLeast, {"layers.cuont=12"}), "--set layers.cuont=12: layers.cuont: unknown key; nearest: count");
+  EXPECT_THAT(rejection(kLeast, {"layers.count=0"}),
+              StartsWith("--set layers.count=0: layers.count: expected an integer"));
+  EXPECT_THAT(rejection(kLeast, {"count"}), HasSubstr("expected KEY=VALUE"));
+}
+
+TEST(ResolvePatches, TakesFromLayersWhatThePatchDoesNotGive) {
+  const Case c = parse(
+      "[surface]\nfile = \"a.stl\"\n[layers]\nfirst_height = 1e-3\ngrowth = 1.5\ncount = 4\n"
+      "[patches.\"w*\"]\ncount = 6\n[patches.wing]\ngrowth = 1.0\n[patches.tip]\ntype = \"nolayer\"\n");
+  const std::vector<std::string> names = {"wing", "winglet", "tip", "body"};
+  const auto p = resolve_patches(c, names);
+  ASSERT_EQ(p.size(), 4u);
+  EXPECT_EQ(p[0].schedule.count, 6);
+  EXPECT_EQ(p[0].schedule.growth, 1);
+  EXPECT_EQ(p[1].schedule.count, 6);
+  EXPECT_EQ(p[1].schedule.growth, 1.5);
+  EXPECT_EQ(p[2].type, PatchType::NoLayer);
+  EXPECT_EQ(p[3].schedule.count, 4);
+}
+
+TEST(ResolvePatches, LetsAnInheritedQuantityGiveWay) {
+  const std::string text =
+      "[surface]\nfile = \"a.stl\"\n[layers]\nfirst_height = 1e-3\ngrowth = 1.5\ncount = 4\n[patches.a]\n";
+  const std::vector<std::string> names = {"a"};
+  const auto schedule = [&](const std::string& keys) { return resolve_patches(parse(text + keys), names)[0].schedule; };
+  const auto growth_gave_way = schedule("total_thickness = 4e-3\n");
+  EXPECT_EQ(growth_gave_way.growth, 1);
+  EXPECT_EQ(growth_gave_way.count, 4);
+  const auto count_gave_way = schedule("total_thickness = 4.75e-3\ngrowth = 1.5\n");
+  EXPECT_EQ(count_gave_way.count, 3);
+  EXPECT_EQ(schedule("heights = [1e-3, 3e-3]\n").heights, (std::vector<double>{1e-3, 3e-3}));
+}
+
+TEST(ResolvePatches, RejectsANameThatNoPatchHas) {
+  EXPECT_EQ(patch_rejection(kLeast + "[patches.wnig]\ntype = \"nolayer\"\n", {"wing", "body"}),
+            "dir/case.toml:5:10: patches.wnig: no patch of the surface has this name; nearest: \"wing\"");
+  EXPECT_EQ(
+      patch_rejection(kLeast + "[patches.\"q*\"]\ntype = \"nolayer\"\n", {"wing", "body"}),
+      "dir/case.toml:5:10: patches.q*: no patch of the surface has this name; its patches are \"wing\", \"body\"");
+}
+
+TEST(ResolvePatches, NamesThePatchOfAnImpossibleSchedule) {
+  EXPECT_THAT(patch_rejection(kLeast + "count = 10\n[patches.wing]\ntotal_thickness = 1e-6\n", {"wing"}),
+              StartsWith("dir/case.toml:7:1: layers of patch \"wing\": layers: 10 layers from first_height = 1e-05"));
+}
+
+TEST(CaseTemplate, ParsesToTheDefaults) {
+  const Case c = parse(case_template({}));
+  const Case d = parse("[surface]\nfile = \"surface.stl\"\n[layers]\nfirst_height = 1e-5\ngrowth = 1.2\ncount = 30\n");
+  EXPECT_EQ(c.surface.file, d.surface.file);
+  EXPECT_EQ(c.surface.scale, d.surface.scale);
+  EXPECT_EQ(c.surface.weld, d.surface.weld);
+  EXPECT_EQ(c.ridge_angle_deg, d.ridge_angle_deg);
+  EXPECT_EQ(c.is_multi_allowed, d.is_multi_allowed);
+  EXPECT_EQ(c.smoothing.iterations, d.smoothing.iterations);
+  EXPECT_EQ(c.layers.first_height, d.layers.first_height);
+  EXPECT_EQ(c.layers.growth, d.layers.growth);
+  EXPECT_EQ(c.layers.count, d.layers.count);
+  EXPECT_EQ(c.layers.law_in_force(), d.layers.law_in_force());
+  EXPECT_EQ(c.layers.min_coverage.value_or(-1), 0);
+  EXPECT_EQ(c.flow.has_value(), d.flow.has_value());
+  EXPECT_EQ(c.output.directory, d.output.directory);
+  EXPECT_EQ(c.output_name(), d.output_name());
+}
+
+TEST(CaseTemplate, ProposesHeightsThatSuitTheSurface) {
+  SurfaceFacts facts;
+  facts.file = "big \"wing\".stl";
+  facts.box.include(Vec3(0, 0, 0));
+  facts.box.include(Vec3(300, 400, 0));
+  facts.mean_edge = 20;
+  facts.patch_names = {"upper", "lower"};
+  const std::string text = case_template(facts);
+  const Case c = parse(text);
+  EXPECT_EQ(c.surface.file, facts.file);
+  EXPECT_NEAR(*c.layers.first_height, 0.005, 1e-15);
+  const std::vector<std::string> names = {"upper", "lower"};
+  EXPECT_NEAR(resolve_patches(c, names)[0].schedule.total_thickness, 5, 1);
+  EXPECT_THAT(text, HasSubstr("# [patches.\"upper\"]"));
+  EXPECT_THAT(text, HasSubstr("diagonal 500"));
+}
+
+TEST(CaseReference, IsWhatThePageSays) {
+  std::ifstream page(std::string(NEARWALL_SOURCE_DIR) + "/docs/case-file.md");
+  ASSERT_TRUE(page) << "docs/case-file.md is missing";
+  std::ostringstream text;
+  text << page.rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr(case_reference())) << "docs/case-file.md does not hold this text any more:\n"
+                                                       << case_reference();
+}
+
+}  // namespace
+}  // namespace nearwall
