@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "checks.h"
-#include "closing.h"
-#include "edge_groups.h"
-#include "face_groups.h"
-#include "faults.h"
 #include "nearwall/core/expect.h"
 #include "nearwall/surface/weld.h"
-#include "nesting.h"
+#include "surface/checks.h"
+#include "surface/closing.h"
+#include "surface/edge_groups.h"
+#include "surface/face_groups.h"
+#include "surface/faults.h"
+#include "surface/nesting.h"
 
 namespace nearwall::surface {
 namespace {
@@ -80,9 +80,11 @@ void find_parts(Admission& result) {
   for (const ComponentId c : result.face_component) ++result.components[c].n_faces;
 }
 
-IdVector<ComponentId, std::vector<FaceId>> faces_by_component(const Admission& result) {
+IdVector<ComponentId, std::vector<FaceId>> faces_by_component(const Admission& result, const LeftOut& left_out) {
   IdVector<ComponentId, std::vector<FaceId>> faces(result.components.size());
-  for (const FaceId f : result.face_component.ids()) faces[result.face_component[f]].push_back(f);
+  for (const FaceId f : result.face_component.ids()) {
+    if (!left_out.of_topology[f.index()]) faces[result.face_component[f]].push_back(f);
+  }
   return faces;
 }
 
@@ -91,14 +93,15 @@ IdVector<ComponentId, std::vector<FaceId>> faces_by_component(const Admission& r
 void check_nesting(Admission& result, const AdmissionPolicy& policy, const LeftOut& left_out, FaultCollector& faults) {
   find_nesting(result.surface, result.face_component, left_out.of_geometry, result.components);
   const int deepest_wetted = policy.fluid == FluidSide::Outside ? 0 : 1;
-  const auto faces = faces_by_component(result);
+  const auto faces = faces_by_component(result, left_out);
   std::size_t n_turned = 0;
   for (const ComponentId c : result.components.ids()) {
     Component& component = result.components[c];
     const predicates::Sign sign = volume_sign(result.surface, faces[c], component.volume);
     component.is_wetted = component.depth <= deepest_wetted;
     const auto expected = component.depth % 2 == 0 ? predicates::Sign::Positive : predicates::Sign::Negative;
-    if (!component.is_wetted || sign == expected) continue;
+    // Only what was refused already encloses nothing: copies back to back, triangles without area.
+    if (!component.is_wetted || sign == expected || sign == predicates::Sign::Zero) continue;
     if (policy.repair == Repair::Safe) {
       for (const FaceId f : faces[c]) turn_round(result.surface, f);
       ++n_turned;

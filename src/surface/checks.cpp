@@ -1,14 +1,14 @@
-#include "checks.h"
+#include "surface/checks.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "face_groups.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/predicates/orientation.h"
 #include "nearwall/search/self_intersection.h"
+#include "surface/face_groups.h"
 
 namespace nearwall::surface {
 namespace {

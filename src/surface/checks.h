@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "edge_groups.h"
-#include "faults.h"
+#include "surface/edge_groups.h"
+#include "surface/faults.h"
 
 namespace nearwall::surface {
 

@@ -1,4 +1,4 @@
-#include "closing.h"
+#include "surface/closing.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "edge_groups.h"
+#include "surface/edge_groups.h"
 
 namespace nearwall::surface {
 

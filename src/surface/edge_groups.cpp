@@ -1,4 +1,4 @@
-#include "edge_groups.h"
+#include "surface/edge_groups.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "face_groups.h"
+#include "surface/face_groups.h"
 
 #include <algorithm>
 #include <array>

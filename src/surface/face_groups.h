@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "edge_groups.h"
 #include "nearwall/surface/admission.h"
+#include "surface/edge_groups.h"
 
 namespace nearwall::surface {
 

@@ -1,4 +1,4 @@
-#include "faults.h"
+#include "surface/faults.h"
 
 #include <fmt/format.h>
 

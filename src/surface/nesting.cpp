@@ -1,4 +1,4 @@
-#include "nesting.h"
+#include "surface/nesting.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "nearwall/geometry/measures.h"
-#include "nesting.h"
+#include "surface/nesting.h"
 
 namespace nearwall::surface {
 namespace {

@@ -1,6 +1,6 @@
 #include <CGAL/Exact_rational.h>
 
-#include "nesting.h"
+#include "surface/nesting.h"
 
 namespace nearwall::surface {
 
