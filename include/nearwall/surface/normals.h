@@ -21,8 +21,12 @@ struct VisibleNormal {
 /// pairs and triples (Aubry & Loehner 2008, section 4, put right in docs/theory/normals.md). It is the centre of the
 /// smallest cap that holds all normals.
 /// \param face_normals  any number, of any length; duplicates and zero vectors are passed over
-/// \returns  nullopt if no direction sees all faces (decided exactly)
-/// Worst angle optimal to 1e-8 rad, for cones open by as little as 1e-6 rad.
+/// \returns  nullopt if no direction sees all faces (decided exactly), or if there is no face
+/// \throws   InputError if a normal is not finite
+/// Worst angle optimal to 1e-8 rad, for cones open by as little as 1e-6 rad. In cones thinner than about 1e-15 rad no
+/// unit vector of doubles may see all faces: the direction is then the best rounded one.
+/// The same bits on permuted axes and for normals scaled by powers of two. Cost: O(n) in practice, no memory for n
+/// <= 24.
 std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_normals);
 
 /// Weight of a face at its vertex in a weighted normal; the names of Ubach 2013 and Bohdal 2017.
@@ -31,6 +35,7 @@ enum class Weight { Angle };
 /// Weighted mean of the normals of the faces round `apex`, normalised.
 /// \param ring    neighbours counterclockwise seen from outside
 /// \param closed  whether the last neighbour and the first span a face, too
+/// \returns       unit vector; zero if the weighted normals cancel or no face has an area
 Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring, bool closed = true);
 
 enum class NormalMethod { MostVisible, Angle };
@@ -42,8 +47,9 @@ struct PointNormal {
 };
 
 /// One normal for each vertex. MostVisible takes the angle-weighted mean where its worst cosine is above
-/// `kVisibilityTrigger` and the direct method elsewhere (Aubry & Loehner 2008, section 5).
-/// Cost: O(n_faces) but for vertices with very many faces; on all threads.
+/// `kVisibilityTrigger` and the direct method elsewhere (Aubry & Loehner 2008, section 5). Faces without area are
+/// passed over. Open surfaces: a boundary vertex has the faces it has. Cost: O(n_faces) but for vertices with very many
+/// faces; on all threads.
 IdVector<VertexId, PointNormal> point_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology,
                                               const Features& features, NormalMethod method);
 

@@ -21,6 +21,7 @@ struct SmoothingOptions {
 /// sign is exact, and it keeps at least half of the room that the normal given for the vertex has to the edge of
 /// its visibility cone; where it would leave that, it is drawn back along the arc. Blind vertices keep their normal.
 /// \param normals  (n_vertices), changed in place; `max_angle` follows the direction
+/// \throws InputError if an option is out of range
 /// Cost: O(n_faces * iterations), on all threads; the same bits at any number of them.
 void smooth_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
                     const SmoothingOptions& options, IdVector<VertexId, PointNormal>& normals);
