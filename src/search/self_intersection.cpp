@@ -16,7 +16,7 @@ namespace {
 using predicates::Triangle;
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Items whose boxes are searched together, in the order of the tree.
+/// Triangles that one task looks at.
 constexpr std::size_t kBlock = 1024;
 
 /// Corners of two triangles that are one node: places in the first and in the second, and how many.
@@ -60,39 +60,47 @@ bool meet(const IndexedTriangles& soup, std::uint32_t i, std::uint32_t j) {
   }
 }
 
-std::vector<geometry::Box> boxes_of(const IndexedTriangles& soup) {
-  std::vector<geometry::Box> boxes(soup.triangles.size());
-  parallel_for(boxes.size(), [&](std::size_t i) {
-    for (const auto v : soup.triangles[i]) boxes[i].include(soup.points[v]);
+geometry::Box box_of(const IndexedTriangles& soup, std::uint32_t i) {
+  geometry::Box box;
+  for (const auto v : soup.triangles[i]) box.include(soup.points[v]);
+  return box;
+}
+
+/// Calls `search(k, found)` for each k in [0, n) and joins what they find.
+template <class Search>
+void find_pairs(std::size_t n, Pairs& pairs, Search&& search) {
+  std::mutex mutex;
+  parallel_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+    Pairs found;
+    for (std::size_t k = begin; k < end; ++k) search(k, found);
+    const std::lock_guard lock(mutex);
+    pairs.insert(pairs.end(), found.begin(), found.end());
   });
-  return boxes;
 }
 
 }  // namespace
 
 Pairs self_intersections(const IndexedTriangles& soup, std::span<const char> moved) {
   expect(moved.empty() || moved.size() == soup.triangles.size(), "one mark for each triangle");
-  const std::vector<geometry::Box> boxes = boxes_of(soup);
+  // Only the marked triangles go into the tree: few, when a front is mended here and there.
+  std::vector<std::uint32_t> marked, others;
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) (moved.empty() || moved[i] ? marked : others).push_back(i);
+  std::vector<geometry::Box> boxes(marked.size());
+  parallel_for(boxes.size(), [&](std::size_t k) { boxes[k] = box_of(soup, marked[k]); });
   const BoxTree tree(boxes);
   Pairs pairs;
-  std::mutex mutex;
-  parallel_blocks(tree.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    Pairs found;
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = tree.item(k);
-      if (!moved.empty() && !moved[i]) continue;
-      const geometry::Box& box = tree.box(k);
-      const auto visit = [&](std::size_t other) {
-        const std::uint32_t j = tree.item(other);
-        // Pairs of two marked triangles are met twice: the one that comes first in the tree takes them.
-        if (other <= k && (other == k || moved[j])) return;
-        if (meet(soup, i, j)) found.push_back(std::minmax(i, j));
-      };
-      tree.for_each([&](const geometry::Box& b) { return b.intersects(box); }, visit, moved.empty() ? k + 1 : 0);
-    }
-    const std::lock_guard lock(mutex);
-    pairs.insert(pairs.end(), found.begin(), found.end());
-  });
+  const auto search = [&](std::uint32_t i, const geometry::Box& box, std::size_t first, Pairs& found) {
+    const auto meets_box = [&](const geometry::Box& b) { return b.intersects(box); };
+    const auto visit = [&](std::size_t position) {
+      const std::uint32_t j = marked[tree.item(position)];
+      if (meet(soup, i, j)) found.push_back(std::minmax(i, j));
+    };
+    tree.for_each(meets_box, visit, first);
+  };
+  find_pairs(tree.size(), pairs,
+             [&](std::size_t k, Pairs& found) { search(marked[tree.item(k)], tree.box(k), k + 1, found); });
+  find_pairs(others.size(), pairs,
+             [&](std::size_t k, Pairs& found) { search(others[k], box_of(soup, others[k]), 0, found); });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
