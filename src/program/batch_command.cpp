@@ -133,8 +133,8 @@ void add_batch_command(CommandLine& line) {
                            "nearwall batch cases -j 2 --resume\n"
                            "nearwall batch surfaces --template case.toml --relative -o out --table coverage.md",
                            [arguments](CommandContext& context) { return run_batch(*arguments, context); });
-  app.add_option("inputs", request.inputs, "case files and folders to search for them; with --template: surfaces")
-      ->type_name("CASE.toml|DIR")
+  app.add_option("CASE.toml|DIR", request.inputs,
+                 "case files and folders to search for them; with --template: surfaces")
       ->required();
   app.add_option("-j,--jobs", arguments->n_jobs, "cases at a time; they share the threads")
       ->type_name("N")

@@ -175,9 +175,7 @@ void add_check_command(CommandLine& line) {
   CLI::App& app = line.add("check", "what is wrong with a surface, and what its edges are like; nothing is changed",
                            "check SURFACE [-o FILE.vtp] [options]", "nearwall check wing.stl -o faults.vtp",
                            [arguments](CommandContext& context) { return run_check(*arguments, context.console); });
-  app.add_option("surface", arguments->file, "stl, obj, ply, off, vtp or vtk, also gzipped")
-      ->type_name("SURFACE")
-      ->required();
+  app.add_option("SURFACE", arguments->file, "stl, obj, ply, off, vtp or vtk, also gzipped")->required();
   app.add_option("-o,--output", arguments->output, "write the offending triangles, with the cell array Fault")
       ->type_name("FILE.vtp");
   app.add_option("--fluid", arguments->fluid, "side of the wall on which the fluid lies")

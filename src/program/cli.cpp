@@ -89,8 +89,10 @@ CLI::App& CommandLine::add_below(CLI::App& parent, const std::string& name, cons
       ->type_name("N")
       ->check(CLI::Range(0, kMaxThreads))
       ->group(kCommonGroup);
-  // The callback of a command below comes after its parent's and has the last word.
-  app.callback([this, run = std::move(command)] { invocation_.command = run; });
+  // A command below another is called back before its parent.
+  app.callback([this, run = std::move(command)] {
+    if (!invocation_.command) invocation_.command = run;
+  });
   return app;
 }
 

@@ -43,8 +43,8 @@ void add_convert_command(CommandLine& line) {
   CLI::App& app = line.add("convert", "a surface from one format to another, by the ending of the file",
                            "convert IN OUT [--weld LENGTH]", "nearwall convert wing.stl wing.vtp --weld 0",
                            [arguments](CommandContext& context) { return run_convert(*arguments, context.console); });
-  app.add_option("in", arguments->input, "stl, obj, ply, off, vtp or vtk, also gzipped")->type_name("IN")->required();
-  app.add_option("out", arguments->output, "the same endings")->type_name("OUT")->required();
+  app.add_option("IN", arguments->input, "stl, obj, ply, off, vtp or vtk, also gzipped")->required();
+  app.add_option("OUT", arguments->output, "the same endings")->required();
   app.add_option("--weld", arguments->weld,
                  "make points within this distance one [length]; 0: equal points; without it: none")
       ->type_name("LENGTH")

@@ -34,16 +34,11 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
   return out;
 }
 
-std::string entry(const std::string& left, const std::string& right) {
-  std::string line = "  " + left;
-  const std::size_t width = text_width(line);
-  line += width + 2 <= kLeftWidth ? std::string(kLeftWidth - width, ' ') : "\n" + std::string(kLeftWidth, ' ');
-  return line + wrapped(right, kLineWidth - kLeftWidth, kLeftWidth) + "\n";
-}
-
 std::string left_side(const CLI::Option& option) {
   if (option.nonpositional()) {
-    const std::string value = option.get_type_size() == 0 ? "" : " " + option.get_type_name();
+    // CLI11 appends what its validators accept, which belongs into the description.
+    const std::string type = option.get_type_name();
+    const std::string value = option.get_type_size() == 0 ? "" : " " + type.substr(0, type.find(':'));
     const std::string indent = option.get_snames().empty() ? "    " : "";
     return indent + option.get_name(false, true) + value;
   }
@@ -91,6 +86,13 @@ std::string command_help(const CLI::App& app, const std::string& usage, const st
 }
 
 }  // namespace
+
+std::string entry(const std::string& left, const std::string& right) {
+  std::string line = "  " + left;
+  const std::size_t width = text_width(line);
+  line += width + 2 <= kLeftWidth ? std::string(kLeftWidth - width, ' ') : "\n" + std::string(kLeftWidth, ' ');
+  return line + wrapped(right, kLineWidth - kLeftWidth, kLeftWidth) + "\n";
+}
 
 std::string overview() {
   return R"(nearwall meshes the boundary layer: prisms grown from a surface, every one of them certified.

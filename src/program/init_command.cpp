@@ -60,7 +60,7 @@ void add_init_command(CommandLine& line) {
                            "init [SURFACE] [-o CASE.toml]",
                            "nearwall init wing.stl > case.toml\nnearwall init wing.stl -o case.toml",
                            [arguments](CommandContext& context) { return run_init(*arguments, context.console); });
-  app.add_option("surface", arguments->surface, "the surface that the case is for")->type_name("SURFACE");
+  app.add_option("SURFACE", arguments->surface, "the surface that the case is for");
   app.add_option("-o,--output", arguments->output, "write to a file in place of standard output; never over another")
       ->type_name("CASE.toml");
   app.add_flag("--force", arguments->is_forced, "replace the file if it exists");

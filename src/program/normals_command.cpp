@@ -127,9 +127,7 @@ void add_normals_command(CommandLine& line) {
       line.add("normals", "point normals of a surface, closed or open", "normals SURFACE --method M -o OUT.vtp",
                "nearwall normals wing.stl --method most-visible -o normals.vtp",
                [arguments](CommandContext& context) { return run_normals(*arguments, context.console); });
-  app.add_option("surface", arguments->file, "stl, obj, ply, off, vtp or vtk, also gzipped")
-      ->type_name("SURFACE")
-      ->required();
+  app.add_option("SURFACE", arguments->file, "stl, obj, ply, off, vtp or vtk, also gzipped")->required();
   app.add_option("-o,--output", arguments->output, "point arrays Normals, VisibilityAngle, PointKind; ridges as lines")
       ->type_name("OUT.vtp")
       ->required();

@@ -168,9 +168,7 @@ void add_run_command(CommandLine& line) {
                            "nearwall run cases/onera-m6/case.toml\n"
                            "nearwall run case.toml -o out/fine --set layers.first_height=1e-6 --set layers.count=40",
                            [arguments](CommandContext& context) { return run_case(*arguments, context.console); });
-  app.add_option("case", arguments->file, "case file; `nearwall init SURFACE` writes one")
-      ->type_name("CASE.toml")
-      ->required();
+  app.add_option("CASE.toml", arguments->file, "case file; `nearwall init SURFACE` writes one")->required();
   app.add_option("-o,--output", arguments->directory, "folder of the results, in place of the case's")
       ->type_name("DIR");
   app.add_option("--set", arguments->overrides,

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "nearwall/io/surface_writer.h"
 #include "nearwall/shapes/shapes.h"
 #include "program/cli.h"
+#include "program/help.h"
 #include "program/table.h"
 
 namespace nearwall::program {
@@ -43,13 +45,13 @@ json json_of(const ShapeInfo& shape) {
 
 ExitCode list_shapes(Console& console) {
   json list = json::array();
-  Table table({{"shape"}, {"what it is"}});
+  std::string text = "shapes\n";
   for (const ShapeInfo& shape : shapes::catalogue()) {
     list.push_back(json_of(shape));
-    table.add_row({shape.name, shape.summary});
+    text += entry(shape.name, shape.summary);
   }
   console.print_json(json{{"shapes", list}});
-  console.print(table.to_text() + "\nnearwall shape NAME --help lists the parameters of a shape\n");
+  console.print(text + "\nnearwall shape NAME --help lists the parameters of a shape\n");
   return ExitCode::Done;
 }
 
@@ -69,13 +71,17 @@ ExitCode write_shape(const ShapeInfo& shape, const ShapeArguments& arguments, Co
   return ExitCode::Done;
 }
 
+std::string range_of(const ShapeParameter& p) {
+  if (std::isfinite(p.max)) return fmt::format("{:g} to {:g}", p.min, p.max);
+  // The smallest double stands for "more than zero".
+  return p.min > 0 && p.min <= std::numeric_limits<double>::min() ? "above 0" : fmt::format("from {:g}", p.min);
+}
+
 std::string described(const ShapeParameter& p) {
-  const std::string unit = p.unit == "-" ? "" : fmt::format(", {}", p.unit);
   if (p.kind == ParameterKind::Switch)
-    return fmt::format("{} (switch: --{} or --{}=0) [{}]", p.description, p.name, p.name, p.value);
-  const std::string range =
-      std::isfinite(p.max) ? fmt::format("{:g} to {:g}", p.min, p.max) : fmt::format("from {:g}", p.min);
-  return fmt::format("{} ({}{}) [{:g}]", p.description, range, unit, p.value);
+    return fmt::format("{} (--{} or --{}=0) [{:g}]", p.description, p.name, p.name, p.value);
+  const std::string unit = p.unit == "-" ? "" : ", " + p.unit;
+  return fmt::format("{} ({}{}) [{:g}]", p.description, range_of(p), unit, p.value);
 }
 
 void add_parameter(CLI::App& app, const ShapeParameter& p, ShapeArguments& arguments) {
