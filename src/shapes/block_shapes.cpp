@@ -11,6 +11,8 @@ namespace {
 
 /// Default edge length of blocks, over their shortest edge that is not thin on purpose.
 constexpr double kDefaultSize = 0.1;
+/// The same for thin plates, at least.
+constexpr double kThinnestSize = 0.02;
 
 double block_size(double size, double shortest) { return size == 0 ? kDefaultSize * shortest : size; }
 
@@ -34,9 +36,11 @@ mesh::SurfaceMesh make_prism(const std::vector<PrismCorner>& polygon, double wid
 }
 
 mesh::SurfaceMesh make_plate(const Values& v, double size) {
-  const double x = v["length"], z = v["thickness"] / 2;
-  return make_prism({{0, -z, "lower"}, {x, -z, "trailing-edge"}, {x, z, "upper"}, {0, z, "leading-edge"}}, v["width"],
-                    block_size(size, std::min(x, v["width"])));
+  const double x = v["length"], y = v["width"], z = v["thickness"] / 2;
+  // Two triangles across the rim are as wide as they are high, unless there would be too many of them.
+  const double shortest = std::min(x, y);
+  const double h = size == 0 ? shortest * std::clamp(2 * z / shortest, kThinnestSize, kDefaultSize) : size;
+  return make_prism({{0, -z, "lower"}, {x, -z, "trailing-edge"}, {x, z, "upper"}, {0, z, "leading-edge"}}, y, h);
 }
 
 mesh::SurfaceMesh make_wedge(const Values& v, double size) {

@@ -28,6 +28,9 @@ constexpr std::array<std::array<int, 3>, 20> kFaces = {{{0, 11, 5}, {0, 5, 1},  
 /// Angle between neighbouring corners of an icosahedron, seen from its centre.
 const double kEdgeAngle = std::atan(2.0);
 
+/// Mean edge of the 20 f² triangles on the unit sphere, times f: that of equilateral ones of the same area.
+const double kMeanEdge = std::sqrt(4 * geometry::kPi / 20 * 4 / std::numbers::sqrt3);
+
 /// Direction of the point with whole barycentric coordinates (i, j, k) in a face; along an edge it divides the arc
 /// evenly.
 Vec3 direction(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j, int k) {
@@ -38,7 +41,7 @@ Vec3 direction(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j, int k)
 
 }  // namespace
 
-int geodesic_frequency(double radius, double size) { return n_segments(radius * kEdgeAngle, size); }
+int geodesic_frequency(double radius, double size) { return n_segments(radius * kMeanEdge, size); }
 
 void add_sphere(SurfaceBuilder& builder, std::string_view patch_name, const Vec3& centre, double radius, int frequency,
                 bool is_cavity) {

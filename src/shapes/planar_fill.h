@@ -21,7 +21,7 @@ struct PlanarFill {
 /// Triangulates the region bounded by closed polygons (one outer, any number of holes, in either sense), whose edges
 /// are kept as they are: Delaunay refinement that adds points inside only, then smoothing. Triangles are
 /// near-equilateral of `size`, smaller where the boundary's edges are shorter, and grow from there at a bounded rate.
-/// Loops must not touch or cross. Cost: O(n log n), times the number of boundary points where their spacing varies.
+/// Loops must not touch or cross. Cost: O(n log n), times the number of short edges of the boundary.
 PlanarFill fill_region(const std::vector<std::vector<Point2>>& loops, double size);
 
 }  // namespace nearwall::shapes

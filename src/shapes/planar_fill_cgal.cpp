@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <utility>
 
 #include "shapes/planar_fill.h"
@@ -32,11 +31,11 @@ using Point = Kernel::Point_2;
 /// Largest circumradius that is left alone, over the size wanted there. An equilateral triangle has 0.577.
 constexpr double kRadius = 0.72;
 /// New points keep this distance from all others, and half of it from the boundary's edges, over the size wanted there.
-constexpr double kSeparation = 0.72;
+constexpr double kSeparation = 0.65;
 /// Size may grow by this much per unit of distance from the boundary.
 constexpr double kGrowth = 0.25;
-/// Where the boundary's edges differ by less than this factor, one size does for all.
-constexpr double kUniform = 1.5;
+/// Edges of the boundary that are not much shorter than the size, by this factor, do not make triangles inside smaller.
+constexpr double kShort = 0.77;
 constexpr int kSmoothingRounds = 12;
 
 double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
@@ -44,28 +43,28 @@ double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared
 /// The edge length wanted at each place.
 class SizeField {
  public:
-  SizeField(const std::vector<std::vector<Point2>>& loops, double size) : size_(size) {
-    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  SizeField(const std::vector<std::vector<Point2>>& loops, double size) {
+    double longest = 0;
     for (const auto& loop : loops) {
       const std::size_t n = loop.size();
       for (std::size_t i = 0; i < n; ++i) {
         const Point p(loop[i].u, loop[i].v);
         const Point q(loop[(i + 1) % n].u, loop[(i + 1) % n].v);
-        edges_.push_back({CGAL::midpoint(p, q), distance(p, q)});
-        shortest = std::min(shortest, edges_.back().length);
-        longest = std::max(longest, edges_.back().length);
+        short_edges_.push_back({CGAL::midpoint(p, q), distance(p, q)});
+        longest = std::max(longest, short_edges_.back().length);
       }
     }
-    is_uniform_ = std::max(longest, size) <= kUniform * shortest;
-    // With a coarse boundary, triangles inside are no finer than its edges ask for.
-    if (longest < size_) size_ = std::max(longest, shortest);
+    // Triangles inside are no finer than the boundary asks for, and no coarser than asked.
+    size_ = std::min(size, longest);
+    std::erase_if(short_edges_, [this](const Edge& e) { return e.length > kShort * size_; });
+    std::stable_sort(short_edges_.begin(), short_edges_.end(),
+                     [](const Edge& a, const Edge& b) { return a.length < b.length; });
   }
 
   double operator()(const Point& p) const {
     double result = size_;
-    if (is_uniform_) return result;
-    for (const Edge& edge : edges_) {
-      if (edge.length >= result) continue;
+    for (const Edge& edge : short_edges_) {
+      if (edge.length >= result) break;
       result = std::min(result, edge.length + kGrowth * distance(p, edge.middle));
     }
     return result;
@@ -76,9 +75,8 @@ class SizeField {
     Point middle;
     double length;
   };
-  std::vector<Edge> edges_;
-  double size_;
-  bool is_uniform_ = false;
+  std::vector<Edge> short_edges_;  // shortest first
+  double size_ = 0;
 };
 
 void mark_inside(Triangulation& t) {

@@ -28,20 +28,20 @@ Row add_circle(SurfaceBuilder& builder, const Vec3& centre, const Vec3& a, const
   return row;
 }
 
-Row add_closed_curve(SurfaceBuilder& builder, const std::function<Vec3(double)>& at, double size, double phase) {
+std::vector<double> closed_curve_parameters(const std::function<Vec3(double)>& at, double size, double phase) {
   const std::vector<double> t = uniform(0, 1, kClosedCurveSamples);
   std::vector<double> length{0};
   for (std::size_t i = 1; i < t.size(); ++i) length.push_back(length.back() + distance(at(t[i]), at(t[i - 1])));
   const int n = n_segments(length.back(), size, kMinCircle);
-  Row row;
+  std::vector<double> result;
   std::size_t i = 1;
   for (int k = 0; k < n; ++k) {
     const double target = length.back() * (k + phase) / n;
     while (length[i] < target) ++i;
     const double fraction = (target - length[i - 1]) / (length[i] - length[i - 1]);
-    row.push_back(builder.add_point(at(t[i - 1] + fraction * (t[i] - t[i - 1]))));
+    result.push_back(t[i - 1] + fraction * (t[i] - t[i - 1]));
   }
-  return row;
+  return result;
 }
 
 int n_on_circle(double radius, double size) { return n_segments(2 * kPi * radius, size, kMinCircle); }

@@ -12,9 +12,9 @@ namespace nearwall::shapes {
 /// a towards b; turned by `phase` of a point's distance.
 Row add_circle(SurfaceBuilder& builder, const Vec3& centre, const Vec3& a, const Vec3& b, int n, double phase);
 
-/// Vertices at equal lengths along the closed curve that `at` draws over [0, 1), for edges of about `size`, at least
-/// kMinCircle; the first lies `phase` of an edge from the curve's beginning.
-Row add_closed_curve(SurfaceBuilder& builder, const std::function<Vec3(double)>& at, double size, double phase);
+/// Parameters of points at equal lengths along the closed curve that `at` draws over [0, 1), for edges of about `size`,
+/// at least kMinCircle; the first lies `phase` of an edge from the curve's beginning.
+std::vector<double> closed_curve_parameters(const std::function<Vec3(double)>& at, double size, double phase);
 
 /// Points on a circle of this radius for edges of about `size`, at least kMinCircle.
 int n_on_circle(double radius, double size);

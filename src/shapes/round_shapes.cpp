@@ -29,29 +29,32 @@ mesh::SurfaceMesh make_sphere(const Values& v, double size) {
   return builder.finish();
 }
 
+/// Rows at equal lengths along the largest meridian and points at equal lengths along the rows. They are joined as on
+/// the unit sphere and stretched then: what does not meet itself there does not do so here, however flat the ellipsoid.
 mesh::SurfaceMesh make_ellipsoid(const Values& v, double size) {
-  const double a = v["length"] / 2, b = v["width"] / 2, c = v["height"] / 2;
+  const double a = v["length"] / 2, b = v["width"] / 2, c = v["height"] / 2, wide = std::max(b, c);
   const double h = round_size(size, std::min({a, b, c}));
-  const ProfilePiece profile = elliptic_piece("ellipsoid", 0, a, std::max(b, c), kPi, 0, h);
   SurfaceBuilder builder;
   const PatchId patch = builder.patch("ellipsoid");
   Row previous;
   int k = 0;
-  for (const ProfilePoint& p : profile.points) {
-    const double scale = p.r / std::max(b, c);
-    Row next;
-    if (p.r == 0) {
-      next = {builder.add_point({p.x, 0, 0})};
+  for (const ProfilePoint& p : elliptic_piece("", 0, a, wide, kPi, 0, h).points) {
+    const double x = p.x / a, r = p.r / wide;
+    Row row;
+    if (r == 0) {
+      row = {builder.add_point({x, 0, 0})};
     } else {
-      // Points at equal lengths along the ellipse, every other row turned by half a point.
-      const auto at = [&](double t) {
-        return Vec3(p.x, scale * b * std::cos(2 * kPi * t), scale * c * std::sin(2 * kPi * t));
+      const auto ellipse = [&](double t) {
+        return Vec3(0, r * b * std::cos(2 * kPi * t), r * c * std::sin(2 * kPi * t));
       };
-      next = add_closed_curve(builder, at, h, k++ % 2 == 0 ? 0 : 0.5);
+      for (const double t : closed_curve_parameters(ellipse, h, k++ % 2 == 0 ? 0 : 0.5)) {
+        row.push_back(builder.add_point({x, r * std::cos(2 * kPi * t), r * std::sin(2 * kPi * t)}));
+      }
     }
-    if (!previous.empty()) builder.stitch_rings(patch, previous, next);
-    previous = next;
+    if (!previous.empty()) builder.stitch_rings(patch, previous, row);
+    previous = row;
   }
+  builder.stretch({a, b, c});
   return builder.finish();
 }
 

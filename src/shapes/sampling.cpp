@@ -12,7 +12,7 @@ namespace nearwall::shapes {
 namespace {
 
 /// More pieces than this along one edge would make surfaces that no 32-bit id can number.
-constexpr double kMaxSegments = 20000;
+constexpr double kMaxSegments = 4000;
 
 /// A length that is a whole number of sizes up to rounding is cut into that number.
 constexpr double kRoundingSlack = 1e-9;

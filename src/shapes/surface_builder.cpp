@@ -143,6 +143,10 @@ void SurfaceBuilder::mirror(int axis) {
   }
 }
 
+void SurfaceBuilder::stretch(const Vec3& factors) {
+  for (Vec3& p : mesh_.points) p = {p.x() * factors.x(), p.y() * factors.y(), p.z() * factors.z()};
+}
+
 mesh::SurfaceMesh SurfaceBuilder::finish() {
   IdVector<VertexId, VertexId> renumbered(mesh_.points.size());
   mesh::SurfaceMesh result;

@@ -58,6 +58,9 @@ class SurfaceBuilder {
   /// Adds the mirror image in the plane through the origin normal to `axis`. Points in the plane are shared.
   void mirror(int axis);
 
+  /// Multiplies the coordinates of all points.
+  void stretch(const Vec3& factors);
+
   /// The surface, without points that no triangle uses.
   mesh::SurfaceMesh finish();
 

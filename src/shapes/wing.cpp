@@ -72,7 +72,8 @@ Row add_tip_arc(SurfaceBuilder& builder, VertexId upper, VertexId lower, double 
   if (upper == lower) return {upper};
   const Vec3 a = (builder.point(upper) - builder.point(lower)) * 0.5;
   const Vec3 centre = builder.point(lower) + a, out(0, norm(a), 0);
-  const int n = n_segments(geometry::kPi * norm(a), edge);
+  // Even, so that there is a point where the tip reaches farthest.
+  const int n = 2 * n_segments(0.5 * geometry::kPi * norm(a), edge);
   Row arc{upper};
   for (int i = 1; i < n; ++i) {
     const double angle = geometry::kPi * i / n;

@@ -16,7 +16,7 @@ constexpr double kNoseLength = 3;
 constexpr double kTailLength = 5;
 
 /// Default edge length, over the chord at the plane of symmetry.
-constexpr double kDefaultSize = 0.05;
+constexpr double kDefaultSize = 0.035;
 
 /// A row round the right half of the fuselage, from its keel to its top. Odd rows are turned by half an edge.
 Row add_half_circle(SurfaceBuilder& builder, double x, double r, double size, bool is_turned) {
