@@ -1,4 +1,3 @@
-#include <cmath>
 #include <vector>
 
 #include "nearwall/core/expect.h"
