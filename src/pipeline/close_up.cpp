@@ -1,0 +1,147 @@
+#include "pipeline/close_up.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nearwall/geometry/box.h"
+#include "nearwall/io/vtu_writer.h"
+#include "nearwall/mesh/mesh_source.h"
+
+namespace nearwall::pipeline {
+
+namespace {
+
+/// Half the height of the picture over the thickness of the layers, and its width over its height.
+constexpr double kHalfHeight = 0.85;
+constexpr double kAspect = 1.6;
+/// Share of the asked thickness from which a place is worth a picture.
+constexpr double kWorthShowing = 0.9;
+
+LineId line_of(const layers::Growth& growth, VertexId v) { return LineId(growth.front.first_line[v.index()]); }
+
+double thickness(const layers::Growth& growth, VertexId v) { return growth.reached_thickness[line_of(growth, v)]; }
+
+bool is_worth_showing(const layers::Growth& growth, VertexId v) {
+  const LineId line = line_of(growth, v);
+  return growth.asked_thickness[line] > 0 &&
+         growth.reached_thickness[line] >= kWorthShowing * growth.asked_thickness[line];
+}
+
+/// The ridge halfedge with the largest turn of which both ends have their layers; invalid if there is none.
+HalfedgeId sharpest_ridge(const layers::Wall& wall, const layers::Growth& growth) {
+  HalfedgeId best;
+  double largest = 0;
+  for (const HalfedgeId h : wall.features.is_ridge.ids()) {
+    if (!wall.features.is_ridge[h] || !(wall.features.turn[h] > largest)) continue;
+    if (!is_worth_showing(growth, wall.topology.origin(h)) || !is_worth_showing(growth, wall.topology.target(h)))
+      continue;
+    largest = wall.features.turn[h];
+    best = h;
+  }
+  return best;
+}
+
+VertexId thickest(const layers::Wall& wall, const layers::Growth& growth) {
+  VertexId best;
+  double largest = 0;
+  for (const VertexId v : wall.surface.points.ids()) {
+    if (thickness(growth, v) > largest) largest = thickness(growth, v), best = v;
+  }
+  return best;
+}
+
+io::ZoomBox box_about(const Vec3& centre, double half) {
+  const Vec3 extent(half, half, half);
+  return {centre - extent, centre + extent};
+}
+
+/// Front and lines over some of the triangles only.
+struct Columns {
+  mesh::SurfaceMesh wall;
+  mesh::Front front;
+  mesh::Lines lines;
+};
+
+Columns columns_over(const layers::Wall& wall, const layers::Growth& growth, const std::vector<FaceId>& faces) {
+  Columns c;
+  c.wall.patch_names = wall.surface.patch_names;
+  c.lines.table = growth.lines.table;
+  c.lines.first_piece.push_back(0);
+  c.front.first_line.push_back(0);
+  c.front.n_wall_faces = faces.size();
+  IdVector<LineId, LineId> number(growth.front.n_lines());
+  const auto take = [&](LineId line) {
+    if (number[line].is_valid()) return number[line];
+    const VertexId vertex = c.wall.points.push_back(growth.lines.base[line]);
+    const std::uint32_t begin = growth.lines.first_piece[line.index()],
+                        end = growth.lines.first_piece[line.index() + 1];
+    for (std::uint32_t i = begin; i < end; ++i) c.lines.pieces.push_back(growth.lines.pieces[i]);
+    c.lines.first_piece.push_back(static_cast<std::uint32_t>(c.lines.pieces.size()));
+    c.lines.base.push_back(growth.lines.base[line]);
+    c.lines.heights.push_back(growth.lines.heights[line]);
+    c.lines.windows.push_back(growth.lines.windows[line]);
+    c.front.line_vertex.push_back(vertex);
+    c.front.first_line.push_back(static_cast<std::uint32_t>(c.front.line_vertex.size()));
+    return number[line] = LineId(c.front.line_vertex.size() - 1);
+  };
+  for (const FaceId f : faces) {
+    mesh::FrontFace face;
+    std::array<VertexId, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.lines[k] = take(growth.front.faces[FrontFaceId(f.index())].lines[k]);
+      corners[k] = c.front.line_vertex[face.lines[k]];
+    }
+    c.front.faces.push_back(face);
+    c.wall.faces.push_back(corners);
+    c.wall.face_patch.push_back(wall.surface.face_patch[f]);
+  }
+  return c;
+}
+
+}  // namespace
+
+std::optional<CloseUp> choose_close_up(const layers::Wall& wall, const layers::Growth& growth) {
+  const HalfedgeId ridge = sharpest_ridge(wall, growth);
+  const VertexId vertex = ridge.is_valid() ? wall.topology.origin(ridge) : thickest(wall, growth);
+  if (!vertex.is_valid()) return std::nullopt;
+  const LineId line = line_of(growth, vertex);
+  const Vec3 base = growth.lines.base[line];
+  const Vec3 top = growth.lines.position(line, growth.lines.windows[line].end);
+
+  CloseUp place;
+  place.vertex = vertex;
+  // Across the ridge, a little beside the vertex: a plane through it would cut along the faces of its cells.
+  const HalfedgeId edge = ridge.is_valid() ? ridge : wall.topology.fan(vertex).front();
+  const Vec3 along = wall.topology.target(edge) == vertex ? base - wall.surface.points[wall.topology.origin(edge)]
+                                                          : wall.surface.points[wall.topology.target(edge)] - base;
+  const double half = kHalfHeight * distance(base, top);
+  const double aside = std::min(0.25 * norm(along), half);
+  const Vec3 step = normalized(along) * aside;
+  place.plane = {along, base + step};
+  place.zoom = box_about(base + step + (top - base) * 0.5, half);
+  return place;
+}
+
+void write_columns_near(const layers::Wall& wall, const layers::Growth& growth, const CloseUp& place,
+                        const std::filesystem::path& path) {
+  const Vec3 centre = (place.zoom.low + place.zoom.high) * 0.5;
+  const double half = 0.5 * max_norm(place.zoom.high - place.zoom.low);
+  const io::ZoomBox seen = box_about(centre, 2 * kAspect * half);
+  geometry::Box box;
+  box.include(seen.low);
+  box.include(seen.high);
+  std::vector<FaceId> faces;
+  for (const FaceId f : wall.surface.faces.ids()) {
+    const auto corners = wall.surface.triangle(f);
+    const auto& v = wall.surface.faces[f];
+    const bool is_near =
+        geometry::bounding_box(corners).intersects(box) || std::find(v.begin(), v.end(), place.vertex) != v.end();
+    if (is_near) faces.push_back(f);
+  }
+  const Columns columns = columns_over(wall, growth, faces);
+  const mesh::LayerMesh layers(columns.front, columns.lines);
+  const mesh::LayerSource source(layers, columns.wall.face_patch, columns.wall.points.raw());
+  io::write_vtu(path, source, {}, {columns.wall.patch_names.raw()});
+}
+
+}  // namespace nearwall::pipeline

@@ -1,0 +1,75 @@
+#include "nearwall/pipeline/forecast.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace nearwall {
+
+namespace {
+
+// Bytes, as measured on spheres of 20 thousand to 300 thousand triangles: docs/report.md.
+constexpr double kBytesForTriangle = 2600;  ///< surface, topology, trees, lines while they are made
+constexpr double kBytesForProgram = 60e6;   ///< libraries, buffers
+constexpr double kDiskForCell = 30;         ///< compressed connectivity and arrays
+constexpr double kDiskForPoint = 24;        ///< three doubles, which hardly compress
+constexpr double kDiskForTriangle = 160;    ///< surface and front files
+constexpr double kDiskForReport = 2e6;      ///< pictures and pages
+
+std::string sized(double bytes) {
+  constexpr double kStep = 1000;
+  const char* unit = "B";
+  for (const char* next : {"kB", "MB", "GB", "TB"}) {
+    if (bytes < kStep) break;
+    bytes /= kStep;
+    unit = next;
+  }
+  return bytes < 10 ? fmt::format("{:.1f} {}", bytes, unit) : fmt::format("{:.0f} {}", bytes, unit);
+}
+
+/// 1234567 as "1 234 567".
+std::string grouped(std::uint64_t n) {
+  const std::string digits = std::to_string(n);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
+                  const IdVector<FaceId, char>& is_wetted) {
+  Forecast f;
+  f.box = geometry::bounding_box(wall.points.raw());
+  IdVector<VertexId, Level> levels(wall.points.size(), 0);
+  for (const FaceId face : wall.faces.ids()) {
+    const PatchSettings& patch = patches[wall.face_patch[face].index()];
+    if (patch.type != PatchType::Wall || !is_wetted[face]) continue;
+    const Level count = static_cast<Level>(patch.schedule.count);
+    f.n_cells += count;
+    f.largest_count = std::max(f.largest_count, count);
+    for (const VertexId v : wall.faces[face]) levels[v] = std::max(levels[v], count);
+  }
+  f.n_points = wall.points.size();
+  for (const Level level : levels) f.n_points += level;
+
+  const auto triangles = static_cast<double>(wall.faces.size());
+  const auto cells = static_cast<double>(f.n_cells), points = static_cast<double>(f.n_points);
+  f.memory_bytes = static_cast<std::uint64_t>(kBytesForProgram + kBytesForTriangle * triangles);
+  f.disk_bytes = static_cast<std::uint64_t>(kDiskForReport + kDiskForCell * cells + kDiskForPoint * points +
+                                            kDiskForTriangle * triangles);
+  return f;
+}
+
+std::string describe(const Forecast& f) {
+  const auto point = [](const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); };
+  return fmt::format(
+      "forecast: up to {} cells in {} layers, {} points, {} of memory, {} on disk; box {} to {}, diagonal {:.6g}",
+      grouped(f.n_cells), f.largest_count, grouped(f.n_points), sized(static_cast<double>(f.memory_bytes)),
+      sized(static_cast<double>(f.disk_bytes)), point(f.box.low), point(f.box.high), f.box.diagonal());
+}
+
+}  // namespace nearwall

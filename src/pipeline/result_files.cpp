@@ -1,0 +1,118 @@
+#include "pipeline/result_files.h"
+
+#include <fmt/format.h>
+
+#include "nearwall/io/picture.h"
+#include "nearwall/io/vtu_writer.h"
+#include "nearwall/mesh/mesh_source.h"
+#include "nearwall/quality/metrics.h"
+#include "pipeline/close_up.h"
+#include "pipeline/stage_clock.h"
+#include "pipeline/surface_file.h"
+
+namespace nearwall::pipeline {
+
+namespace {
+
+/// The layers with columns numbered as the triangles of the input file, which differ from those of the wall where a
+/// repair dropped some.
+class InputNumbered final : public mesh::MeshSource {
+ public:
+  InputNumbered(const mesh::MeshSource& source, const IdVector<FaceId, FaceId>& input_face)
+      : source_(source), input_face_(input_face) {}
+
+  NodeIndex n_points() const override { return source_.n_points(); }
+  CellIndex n_cells() const override { return source_.n_cells(); }
+  std::array<CellIndex, mesh::kNCellTypes> n_cells_by_type() const override { return source_.n_cells_by_type(); }
+  std::size_t n_point_batches() const override { return source_.n_point_batches(); }
+  void read_points(std::size_t batch, mesh::PointBatch& out) const override { source_.read_points(batch, out); }
+  std::size_t n_cell_batches() const override { return source_.n_cell_batches(); }
+  void read_cells(std::size_t batch, mesh::CellBatch& out) const override {
+    source_.read_cells(batch, out);
+    for (std::int64_t& column : out.column) {
+      if (column >= 0) column = input_face_[FaceId(static_cast<std::size_t>(column))].index();
+    }
+  }
+
+ private:
+  const mesh::MeshSource& source_;
+  const IdVector<FaceId, FaceId>& input_face_;
+};
+
+io::CellArray scaled_jacobians() {
+  return {"ScaledJacobian", [](const mesh::CellBatch& batch, std::span<double> values) {
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+              const auto n = static_cast<std::size_t>(mesh::size_of(batch.type[i]));
+              values[i] = quality::scaled_jacobian(batch.type[i], {batch.corners[i].data(), n});
+            }
+          }};
+}
+
+/// Makes one picture. \returns whether more of them make sense
+bool make_picture(const io::PictureRequest& request, ProgressSink& progress) {
+  try {
+    const io::PictureResult result = io::render_picture(request);
+    if (!result.made) progress.note(fmt::format("pictures are left out: {}", result.reason));
+    return result.made;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& e) {
+    progress.warn(fmt::format("a picture is left out: {}", e.what()));
+    return false;
+  }
+}
+
+}  // namespace
+
+void write_meshes(const Result& result, const std::string& name, OutputDirectory& output, ProgressSink& progress) {
+  progress.begin_stage("writing");
+  const mesh::SurfaceMesh& wall = result.wall.surface;
+  const mesh::LayerSource source(result.layers, wall.face_patch, wall.points.raw());
+  const InputNumbered numbered(source, result.prepared.admission.input_face);
+  const io::CellArray extra[] = {scaled_jacobians()};
+  io::write_vtu(output.aside(name + ".vtu"), numbered, extra, {wall.patch_names.raw()}, &progress);
+  io::write_polydata(output.aside(name + "-surface.vtp"),
+                     surface_file(result.wall, result.growth, result.coverage, result.prepared.admission.input_face));
+  io::write_polydata(output.aside(name + "-front.vtp"), front_file(result.wall, result.growth));
+  progress.end_stage();
+}
+
+std::vector<Picture> make_pictures(const Result& result, const std::string& name, OutputDirectory& output,
+                                   ProgressSink& progress) {
+  std::vector<Picture> pictures;
+  progress.begin_stage("pictures");
+  io::PictureRequest request;
+  const auto make = [&](const std::string& file, const std::string& title) {
+    request.output = output.scratch(file);
+    if (!make_picture(request, progress)) return false;
+    output.aside(file);
+    pictures.push_back({file, title});
+    return true;
+  };
+  request.input = output.scratch(name + "-surface.vtp");
+  request.colour_by = "PointKind";
+  request.range = {0, 4};
+  request.title = "0 smooth  1 ridge  2 corner  3 ridge end  4 tip";
+  bool goes_on = make(name + "-surface-kinds.png", "Points of the surface by kind");
+  progress.update(0.3);
+  if (goes_on) {
+    request.colour_by = "Layers";
+    request.range.reset();
+    request.title = "layers";
+    goes_on = make(name + "-surface-layers.png", "Layers on each triangle");
+  }
+  progress.update(0.6);
+  if (const auto place = goes_on ? choose_close_up(result.wall, result.growth) : std::nullopt) {
+    request.input = output.scratch(name + "-close-up.vtu");
+    write_columns_near(result.wall, result.growth, *place, request.input);
+    request.colour_by = "Layer";
+    request.title = "layer, from the wall";
+    request.clip = place->plane;
+    request.zoom = place->zoom;
+    make(name + "-clip.png", "Section through the layers, close up");
+  }
+  progress.end_stage();
+  return pictures;
+}
+
+}  // namespace nearwall::pipeline

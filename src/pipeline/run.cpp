@@ -1,0 +1,195 @@
+#include "nearwall/pipeline/run.h"
+
+#include <sys/resource.h>
+
+#include <fmt/format.h>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/io/pending_file.h"
+#include "nearwall/layers/grow.h"
+#include "pipeline/output_directory.h"
+#include "pipeline/prepare.h"
+#include "pipeline/result_files.h"
+#include "pipeline/sha256.h"
+#include "pipeline/stage_clock.h"
+#include "pipeline/surface_file.h"
+#include "pipeline/version.h"
+
+namespace nearwall {
+
+namespace {
+
+using namespace pipeline;
+
+/// Cells and the space between wall and front may differ by rounding only; more than this would be a defect.
+constexpr double kLargestClosure = 1e-9;
+
+std::uint64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr std::uint64_t kKibibyte = 1024;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * kKibibyte;
+}
+
+SurfaceReport describe_surface(const Prepared& p) {
+  SurfaceReport s;
+  s.points = p.surface().points.size();
+  s.triangles = p.surface().faces.size();
+  s.components = p.admission.components.size();
+  for (const auto& component : p.admission.components) s.unwetted_components += !component.is_wetted;
+  s.merged_points = p.n_merged_points;
+  s.convex_ridges = p.features.n_convex;
+  s.concave_ridges = p.features.n_concave;
+  for (const auto kind : p.features.kind) {
+    s.corners += kind == surface::PointKind::Corner;
+    s.ridge_ends += kind == surface::PointKind::RidgeEnd;
+    s.tips += kind == surface::PointKind::Tip;
+  }
+  s.repairs = p.admission.repairs;
+  return s;
+}
+
+/// Refuses the surface with the triangles concerned in a file, where a file may be written.
+[[noreturn]] void reject(const surface::SurfaceRejected& rejected, const Case& settings, OutputDirectory* output) {
+  if (!output) throw surface::SurfaceRejected(rejected.what(), rejected.admission);
+  const std::string file = settings.output_name() + "-faults.vtp";
+  const mesh::SurfaceMesh surface = read_wall(settings, silent_progress());
+  io::write_polydata(output->aside(file), faults_file(surface, rejected.admission.faults));
+  output->publish();
+  throw surface::SurfaceRejected(
+      fmt::format("{}\nThe triangles concerned: {}", rejected.what(), (output->path() / file).string()),
+      rejected.admission);
+}
+
+Prepared prepare_or_reject(const Case& settings, OutputDirectory* output, ProgressSink& progress) {
+  try {
+    return prepare(settings, progress);
+  } catch (const surface::SurfaceRejected& rejected) {
+    reject(rejected, settings, output);
+  }
+}
+
+layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSettings>& patches) {
+  layers::GrowOptions options;
+  options.normals = settings.normals;
+  options.filter = settings.smoothing.filter;
+  options.smoothing_iterations = settings.smoothing.iterations;
+  for (const PatchSettings& patch : patches) {
+    options.schedules.push_back({patch.type == PatchType::Wall, patch.schedule.heights});
+  }
+  return options;
+}
+
+certify::Certificate certify_or_fail(const mesh::LayerMesh& layers, const layers::Wall& wall, ProgressSink& progress) {
+  certify::CertifiedWall certified{wall.surface, mesh::connected_components(wall.topology), wall.fluid_is_inside};
+  for (const FaceId f : certified.face_component.ids()) {
+    if (!wall.is_wetted[f]) certified.face_component[f] = ComponentId();
+  }
+  const certify::Certificate c = certify::certify_layers(layers, certified, progress);
+  if (!c.is_valid() || !(c.closure() <= kLargestClosure)) {
+    throw InternalError(
+        fmt::format("the layers could not be certified: {} columns not positive, {} front intersections, {} "
+                    "components covered twice, closure {:.3g}; nothing was written",
+                    c.n_bad_columns, c.n_front_intersections, c.n_covered_twice, c.closure()));
+  }
+  return c;
+}
+
+IdVector<PatchId, quality::PatchRequest> requests_of(const std::vector<PatchSettings>& patches) {
+  IdVector<PatchId, quality::PatchRequest> requests;
+  for (const PatchSettings& patch : patches) {
+    const spacing::Schedule& s = patch.schedule;
+    requests.push_back({patch.type == PatchType::Wall, s.first_height, s.total_thickness, static_cast<Level>(s.count)});
+  }
+  return requests;
+}
+
+/// Quality and coverage into the report. \returns the coverage of each triangle
+IdVector<FaceId, quality::FaceCoverage> measure(const layers::Wall& wall, const layers::Growth& growth,
+                                                const mesh::LayerMesh& layers,
+                                                const std::vector<PatchSettings>& patches, Report& report) {
+  report.quality = quality::layer_quality(layers, wall.surface);
+  const auto requests = requests_of(patches);
+  auto coverage =
+      quality::face_coverage(layers, wall.surface, requests,
+                             {growth.asked_thickness, growth.reached_thickness, growth.asked_levels, growth.reason});
+  const auto by_patch = quality::patch_coverage(wall.surface, coverage, requests, wall.is_wetted);
+  for (const PatchId p : by_patch.ids()) {
+    const PatchSettings& patch = patches[p.index()];
+    report.patches.push_back({wall.surface.patch_names[p], patch.type, patch.min_coverage, by_patch[p]});
+  }
+  return coverage;
+}
+
+void write_reports(const std::vector<Picture>& pictures, OutputDirectory& output, Report& report) {
+  const auto json = output.aside("report.json"), html = output.aside("report.html");
+  report.pictures = pictures;
+  report.files = output.planned();
+  report.peak_memory_bytes = peak_memory();
+  io::write_text(html, to_html(report, output.scratch("")));
+  io::write_text(json, to_json(report));
+}
+
+/// Layers, certificate, figures and files of a wall that was admitted.
+void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector<PatchSettings>& patches,
+               OutputDirectory& output, StageClock& clock, Report& report) {
+  const layers::Wall wall{prepared.surface(), prepared.topology, prepared.features, prepared.is_wetted,
+                          settings.surface.fluid == surface::FluidSide::Inside};
+  const layers::Growth growth = layers::grow(wall, grow_options(settings, patches), clock);
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  report.certificate = certify_or_fail(layers, wall, clock);
+  report.certified = true;
+  report.cells = layers.n_cells_by_type();
+  report.points = layers.n_nodes();
+  report.rounds = growth.rounds;
+  report.smoothing_iterations = growth.smoothing_iterations;
+  for (const auto& normal : growth.normals) report.surface.blind += !normal.is_visible;
+  const auto coverage = staged(clock, "quality", [&] { return measure(wall, growth, layers, patches, report); });
+
+  const Result result{prepared, wall, growth, layers, coverage};
+  write_meshes(result, report.name, output, clock);
+  std::vector<Picture> pictures;
+  if (settings.output.pictures) pictures = make_pictures(result, report.name, output, clock);
+  clock.write_to(report);
+  if (settings.output.report) write_reports(pictures, output, report);
+  report.files = output.publish();
+}
+
+}  // namespace
+
+Report run(const Case& settings, ProgressSink* progress) { return run(settings, RunOptions{}, progress); }
+
+Report run(const Case& settings, const RunOptions& options, ProgressSink* progress) {
+  StageClock clock(progress ? *progress : silent_progress());
+  Report report;
+  report.name = settings.output_name();
+  report.version = kVersion;
+  report.settings = settings;
+  report.dry_run = options.dry_run;
+  report.input_file = settings.surface_path().string();
+  report.output_directory = options.output_directory.value_or(settings.output_directory());
+
+  std::optional<OutputDirectory> output;
+  if (!options.dry_run) output.emplace(report.output_directory, report.name, options.force);
+  const Prepared prepared = prepare_or_reject(settings, output ? &*output : nullptr, clock);
+  report.input_sha256 = sha256_of_file(settings.surface_path());
+  report.surface = describe_surface(prepared);
+  for (const std::string& repair : prepared.admission.repairs) clock.note(repair);
+  if (report.surface.unwetted_components > 0) {
+    clock.warn(fmt::format("{} of {} components are out of the fluid's reach and get no layers",
+                           report.surface.unwetted_components, report.surface.components));
+  }
+  const auto patches = resolve_patches(settings, prepared.surface().patch_names.raw());
+  report.forecast = forecast(prepared.surface(), patches, prepared.is_wetted);
+  clock.note(describe(report.forecast));
+
+  if (output) {
+    mesh_wall(settings, prepared, patches, *output, clock, report);
+  } else {
+    clock.write_to(report);
+  }
+  report.peak_memory_bytes = peak_memory();
+  return report;
+}
+
+}  // namespace nearwall
