@@ -68,7 +68,10 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
   const FrontSurface front = front_surface(layers.front(), layers.lines());
   result.n_front_intersections = front_intersections(front).size();
   progress.update(0.7);
-  result.n_covered_twice = covered_twice(front, wall.face_component, wall.fluid_is_inside).size();
+  // Winding numbers have a meaning only where the front does not meet itself.
+  if (result.n_front_intersections == 0) {
+    result.n_covered_twice = covered_twice(front, wall.face_component, wall.fluid_is_inside).size();
+  }
   progress.update(0.8);
 
   const Vec3 centre = geometry::bounding_box(wall.surface.points.raw()).centre();

@@ -56,7 +56,7 @@ struct Certificate {
   CellIndex n_cells = 0;
   std::uint64_t n_bad_columns = 0;          ///< (1) columns with a cell that is not positive everywhere
   std::uint64_t n_front_intersections = 0;  ///< (4) pairs of front triangles that meet
-  std::uint64_t n_covered_twice = 0;        ///< (5) front components whose winding number is wrong
+  std::uint64_t n_covered_twice = 0;        ///< (5) front components whose winding number is wrong; only if (4) holds
   double cells_volume = 0;                  ///< sum of the volumes of all cells
   double enclosed_volume = 0;               ///< between wall and front, from their triangles alone
   double front_volume = 0;                  ///< inside the front (outside it, for an internal flow), absolute

@@ -1,0 +1,153 @@
+#include "nearwall/layers/grow.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "nearwall/geometry/measures.h"
+#include "tests/support/gallery.h"
+
+namespace nearwall::layers {
+namespace {
+
+using growing_for_tests::geometric;
+using growing_for_tests::options_for;
+using growing_for_tests::TestWall;
+using mesh::LimitReason;
+
+TEST(Grow, MakesTheOffsetOfACubeWithSharpEdges) {
+  const mesh::SurfaceMesh cube = shapes_for_tests::cube();
+  const TestWall wall(cube);
+  const Growth growth = grow(wall.wall(), options_for(cube, geometric(0.25, 1.2, 10)));
+  for (const LineId line : growth.lines.base.ids()) {
+    const Vec3 end = growth.lines.position(line, 10);
+    EXPECT_NEAR(max_norm(end), 0.75, 1e-12);
+    EXPECT_NEAR(std::abs(end.x()), 0.75, 1e-12);
+    EXPECT_NEAR(std::abs(end.y()), 0.75, 1e-12);
+  }
+}
+
+TEST(Grow, KeepsTheFirstHeightOfASphereToAThousandth) {
+  const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
+  const TestWall wall(sphere);
+  const auto heights = geometric(0.01, 1.2, 20);
+  const Growth growth = grow(wall.wall(), options_for(sphere, heights));
+  for (const FaceId f : sphere.faces.ids()) {
+    const auto t = sphere.triangle(f);
+    const Vec3 normal = geometry::triangle_normal(t[0], t[1], t[2]);
+    double mean = 0;
+    for (const VertexId v : sphere.faces[f]) {
+      mean += dot(growth.lines.position(LineId(v.index()), 1) - sphere.points[v], normal) / 3;
+    }
+    EXPECT_NEAR(mean, heights[0], 0.003 * heights[0]);
+  }
+}
+
+TEST(Grow, EndsWithPyramidsAndTetrahedraAtAPatchWithoutLayers) {
+  const mesh::SurfaceMesh cube = gallery::catalogued("cube", {}, 0.2);
+  const TestWall wall(cube);
+  GrowOptions options = options_for(cube, geometric(0.05, 1.2, 5));
+  options.schedules[PatchId(0)].has_layers = false;
+  const Growth growth = grow(wall.wall(), options);
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
+  EXPECT_GT(layers.n_cells_by_type()[static_cast<std::size_t>(mesh::CellType::Pyramid)], 0u);
+  EXPECT_GT(layers.n_cells_by_type()[static_cast<std::size_t>(mesh::CellType::Tetrahedron)], 0u);
+  for (const FaceId f : cube.faces.ids()) {
+    const bool is_without = cube.face_patch[f] == PatchId(0);
+    const FrontFaceId column(f.index());
+    if (!is_without) continue;
+    EXPECT_EQ(layers.column_offset(column), layers.column_end(column));
+    for (const VertexId v : cube.faces[f]) {
+      EXPECT_EQ(growth.lines.windows[LineId(v.index())], mesh::Window{});
+    }
+  }
+}
+
+/// Faces round a vertex that no direction sees: two pyramids of alternating ridges share an apex (an omni-saddle).
+mesh::SurfaceMesh blind_corner() {
+  // A star round the origin whose rays go alternately far up and far down; closed by a box-like cap far below is not
+  // needed: each ray is joined to a pole that lies behind the surface.
+  std::vector<Vec3> points = {{0, 0, 0}};
+  constexpr int kRays = 8;
+  for (int k = 0; k < kRays; ++k) {
+    const double a = geometry::kPi * k / (kRays / 2);
+    points.emplace_back(std::cos(a), std::sin(a), k % 2 == 0 ? 3.0 : -3.0);
+  }
+  points.emplace_back(0, 0, -20);
+  std::vector<shapes_for_tests::Corners> faces;
+  for (std::size_t k = 1; k <= kRays; ++k) {
+    const std::size_t next = k % kRays + 1;
+    faces.push_back({0, k, next});
+    faces.push_back({kRays + 1, next, k});
+  }
+  return shapes_for_tests::make_surface(points, faces);
+}
+
+TEST(Grow, BlocksAVertexThatNoDirectionSees) {
+  const mesh::SurfaceMesh surface = blind_corner();
+  const TestWall wall(surface);
+  const Growth growth = grow(wall.wall(), options_for(surface, geometric(0.01, 1.2, 5)));
+  EXPECT_EQ(growth.reason[LineId(0)], LimitReason::Visibility);
+  EXPECT_FALSE(growth.lines.windows[LineId(0)].moves());
+  EXPECT_FALSE(growth.normals[VertexId(0)].is_visible);
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
+  EXPECT_GT(layers.n_cells(), 0u) << "its neighbours grow all the same";
+}
+
+TEST(Grow, LeavesUnreachedComponentsAlone) {
+  const auto hollow = shapes_for_tests::joined(shapes_for_tests::sphere(3, 2.0),
+                                               shapes_for_tests::flipped(shapes_for_tests::sphere(3)));
+  TestWall wall(hollow);
+  const std::size_t n_outer = hollow.faces.size() / 2;
+  for (std::size_t f = n_outer; f < hollow.faces.size(); ++f) wall.is_wetted()[FaceId(f)] = 0;
+  const Growth growth = grow(wall.wall(), options_for(hollow, geometric(0.1, 1.2, 5)));
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_EQ(layers.n_cells(), 5 * n_outer);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
+}
+
+TEST(Grow, BlocksWhatDoublesCannotResolve) {
+  const auto far_away = shapes_for_tests::translated(shapes_for_tests::sphere(2), {1e9, 0, 0});
+  const TestWall wall(far_away);
+  const Growth growth = grow(wall.wall(), options_for(far_away, geometric(1e-6, 1.2, 3)));
+  for (const LineId line : growth.lines.base.ids()) {
+    EXPECT_FALSE(growth.lines.windows[line].moves());
+    EXPECT_EQ(growth.reason[line], LimitReason::Quality);
+  }
+}
+
+TEST(Grow, KeepsASmallBodyOutOfTheLayersOfALargeOne) {
+  // The small one hides between the rays of the large one's lines: only the count of covers can tell.
+  const auto surface =
+      shapes_for_tests::joined(shapes_for_tests::cube(), shapes_for_tests::sphere(1, 0.01, {0.09, 0.17, 0.6}));
+  const TestWall wall(surface);
+  const Growth growth = grow(wall.wall(), options_for(surface, geometric(0.4, 1.2, 8)));
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
+  EXPECT_GT(layers.n_cells(), 0u);
+}
+
+TEST(Grow, GivesEachPatchItsOwnNumberOfLayers) {
+  const mesh::SurfaceMesh box = gallery::catalogued("box", {}, 0.1);
+  const TestWall wall(box);
+  GrowOptions options = options_for(box, geometric(0.02, 1.2, 10));
+  options.schedules[PatchId(0)].heights = geometric(0.02, 1.2, 4);
+  const Growth growth = grow(wall.wall(), options);
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
+  for (const FaceId f : box.faces.ids()) {
+    Level least = 100, most = 0;
+    for (const VertexId v : box.faces[f]) {
+      const Level end = growth.lines.windows[LineId(v.index())].end;
+      least = std::min(least, end);
+      most = std::max(most, end);
+    }
+    EXPECT_LE(most, box.face_patch[f] == PatchId(0) ? 4 : 10);
+    EXPECT_GE(least, 4);
+  }
+}
+
+}  // namespace
+}  // namespace nearwall::layers

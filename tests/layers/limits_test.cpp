@@ -1,0 +1,110 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "layers/vertex_field.h"
+#include "tests/support/gallery.h"
+
+namespace nearwall::layers {
+namespace {
+
+using growing_for_tests::options_for;
+using growing_for_tests::TestWall;
+
+/// A wall, what is asked of it, and its field with directions set.
+struct Asked {
+  explicit Asked(mesh::SurfaceMesh surface, double total, bool inside = false)
+      : wall(std::move(surface), inside),
+        heights(growing_for_tests::geometric(total, 1.2, 10)),
+        options(options_for(wall.surface(), heights)),
+        rows(std::vector<std::vector<double>>(wall.surface().patch_names.size(), heights)),
+        field(ask(wall.wall(), options, rows)) {
+    options.filter = surface::SmoothingFilter::None;
+    set_directions(wall.wall(), options, field, normals);
+  }
+  TestWall wall;
+  std::vector<double> heights;
+  GrowOptions options;
+  HeightRows rows;
+  VertexField field;
+  IdVector<VertexId, surface::PointNormal> normals;
+};
+
+TEST(SetDirections, StretchesLinesSoThatHeightsAreNormalToTheWall) {
+  const Asked a(shapes_for_tests::cube(), 0.01);
+  // At a corner of a cube the line makes the same angle with three faces, of cosine 1 / √3.
+  for (const VertexId v : a.wall.surface().points.ids()) EXPECT_NEAR(a.field.stretch[v], std::sqrt(3.0), 1e-12);
+}
+
+TEST(LimitByCurvature, StopsTheInsideOfASphereBeforeItsCentre) {
+  const mesh::SurfaceMesh sphere = shapes_for_tests::flipped(shapes_for_tests::sphere(3));
+  Asked a(sphere, 2.0, true);
+  EXPECT_EQ(limit_by_curvature(a.wall.wall(), a.field).size(), sphere.points.size());
+  for (const VertexId v : sphere.points.ids()) {
+    EXPECT_LT(a.field.thickness[v] * a.field.stretch[v], 1.0) << "the radius";
+    EXPECT_GT(a.field.thickness[v], 0.2);
+    EXPECT_EQ(a.field.reason[v], mesh::LimitReason::Curvature);
+  }
+}
+
+TEST(LimitByCurvature, LeavesConvexBodiesAlone) {
+  Asked a(shapes_for_tests::sphere(3), 5.0);
+  EXPECT_TRUE(limit_by_curvature(a.wall.wall(), a.field).empty());
+}
+
+TEST(LimitByGaps, SharesAGapFairly) {
+  const double gap = 0.1;
+  Asked a(gallery::catalogued("two-boxes", {{"gap", gap}}, 0.25), 0.3);
+  limit_by_gaps(a.wall.wall(), a.field);
+  std::size_t n_limited = 0;
+  for (const VertexId v : a.wall.surface().points.ids()) {
+    if (a.field.reason[v] != mesh::LimitReason::Gap) continue;
+    ++n_limited;
+    EXPECT_NEAR(a.field.thickness[v], 0.45 * gap, 1e-12);
+  }
+  EXPECT_GE(n_limited, 2u * 9u) << "the inner vertices of the two faces that look at each other";
+}
+
+TEST(Grade, BoundsTheSlopeOfTheThicknessEverywhere) {
+  const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
+  Asked a(sphere, 0.8);
+  a.field.lower(VertexId(7), 0.01, mesh::LimitReason::Gap);
+  const auto lowered = grade(a.wall.wall(), a.field, {VertexId(7)});
+  EXPECT_FALSE(lowered.empty());
+  for (const FaceId f : sphere.faces.ids()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = sphere.faces[f][k], u = sphere.faces[f][(k + 1) % 3];
+      EXPECT_LE(std::abs(a.field.thickness[v] - a.field.thickness[u]),
+                distance(sphere.points[v], sphere.points[u]) * (1 + 1e-12));
+    }
+  }
+  EXPECT_EQ(a.field.thickness[VertexId(7)], 0.01);
+  for (const VertexId v : lowered) EXPECT_EQ(a.field.reason[v], mesh::LimitReason::Neighbour);
+}
+
+TEST(Ask, GivesTheEdgeOfTwoPatchesTheSmallerStack) {
+  mesh::SurfaceMesh cube = gallery::catalogued("cube", {}, 0.5);
+  const TestWall wall(cube);
+  GrowOptions options = options_for(cube, {0.1, 0.1, 0.1});
+  options.schedules[PatchId(0)].heights = {0.2};
+  options.schedules[PatchId(1)].has_layers = false;
+  std::vector<std::vector<double>> stacks;
+  for (const auto& s : options.schedules) stacks.push_back(s.has_layers ? s.heights : std::vector<double>());
+  const VertexField field = ask(wall.wall(), options, HeightRows(stacks));
+  for (const VertexId v : cube.points.ids()) {
+    bool on_0 = false, on_1 = false, on_others = false;
+    for (const HalfedgeId h : wall.topology().fan(v)) {
+      const std::uint32_t p = cube.face_patch[mesh::Topology::face(h)].index();
+      on_0 = on_0 || p == 0;
+      on_1 = on_1 || p == 1;
+      on_others = on_others || p > 1;
+    }
+    const double asked = on_0 ? 0.2 : on_others ? 0.1 + 0.1 + 0.1 : 0;
+    EXPECT_DOUBLE_EQ(field.asked[v], asked);
+    EXPECT_EQ(field.thickness[v], on_1 ? 0 : field.asked[v]);
+    EXPECT_EQ(field.reason[v] == mesh::LimitReason::PatchEdge, on_1 && asked > 0);
+  }
+}
+
+}  // namespace
+}  // namespace nearwall::layers
