@@ -58,6 +58,7 @@ double swept_limit(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& v) {
 std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field) {
   const std::size_t n_faces = wall.surface.faces.size();
   std::vector<double> share(n_faces);
+  std::vector<double> kept(field.thickness.size());
   std::vector<char> is_lowered(field.thickness.size(), 0);
   for (int sweep = 0; sweep < kCurvatureSweeps; ++sweep) {
     parallel_for(n_faces, [&](std::size_t i) {
@@ -69,16 +70,19 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field) {
       }
       share[i] = kCurvatureShare * swept_limit(wall.surface.triangle(f), v);
     });
-    bool any = false;
+    // The least share of the faces round a vertex, all of this sweep: shares must not multiply within one.
+    std::fill(kept.begin(), kept.end(), 1.0);
     for (std::size_t i = 0; i < n_faces; ++i) {
       // A face without orientation from the start says nothing of heights: the certificate will judge it.
       if (!(share[i] < 1) || share[i] == 0) continue;
-      for (const VertexId corner : wall.surface.faces[FaceId(i)]) {
-        if (field.lower(corner, share[i] * field.thickness[corner], LimitReason::Curvature)) {
-          is_lowered[corner.index()] = 1;
-          any = true;
-        }
-      }
+      for (const VertexId v : wall.surface.faces[FaceId(i)]) kept[v.index()] = std::min(kept[v.index()], share[i]);
+    }
+    bool any = false;
+    for (const VertexId v : field.thickness.ids()) {
+      if (kept[v.index()] == 1.0) continue;
+      if (!field.lower(v, kept[v.index()] * field.thickness[v], LimitReason::Curvature)) continue;
+      is_lowered[v.index()] = 1;
+      any = true;
     }
     if (!any) break;
   }

@@ -1,5 +1,6 @@
 #include "nearwall/layers/grow.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -64,33 +65,15 @@ TEST(Grow, EndsWithPyramidsAndTetrahedraAtAPatchWithoutLayers) {
   }
 }
 
-/// Faces round a vertex that no direction sees: two pyramids of alternating ridges share an apex (an omni-saddle).
-mesh::SurfaceMesh blind_corner() {
-  // A star round the origin whose rays go alternately far up and far down; closed by a box-like cap far below is not
-  // needed: each ray is joined to a pole that lies behind the surface.
-  std::vector<Vec3> points = {{0, 0, 0}};
-  constexpr int kRays = 8;
-  for (int k = 0; k < kRays; ++k) {
-    const double a = geometry::kPi * k / (kRays / 2);
-    points.emplace_back(std::cos(a), std::sin(a), k % 2 == 0 ? 3.0 : -3.0);
-  }
-  points.emplace_back(0, 0, -20);
-  std::vector<shapes_for_tests::Corners> faces;
-  for (std::size_t k = 1; k <= kRays; ++k) {
-    const std::size_t next = k % kRays + 1;
-    faces.push_back({0, k, next});
-    faces.push_back({kRays + 1, next, k});
-  }
-  return shapes_for_tests::make_surface(points, faces);
-}
-
 TEST(Grow, BlocksAVertexThatNoDirectionSees) {
-  const mesh::SurfaceMesh surface = blind_corner();
+  const mesh::SurfaceMesh surface = shapes_for_tests::blind_corner();
+  const auto at_origin = std::find(surface.points.begin(), surface.points.end(), Vec3()) - surface.points.begin();
+  const LineId blind(static_cast<std::size_t>(at_origin));
   const TestWall wall(surface);
   const Growth growth = grow(wall.wall(), options_for(surface, geometric(0.01, 1.2, 5)));
-  EXPECT_EQ(growth.reason[LineId(0)], LimitReason::Visibility);
-  EXPECT_FALSE(growth.lines.windows[LineId(0)].moves());
-  EXPECT_FALSE(growth.normals[VertexId(0)].is_visible);
+  EXPECT_EQ(growth.reason[blind], LimitReason::Visibility);
+  EXPECT_FALSE(growth.lines.windows[blind].moves());
+  EXPECT_FALSE(growth.normals[VertexId(blind.index())].is_visible);
   const mesh::LayerMesh layers(growth.front, growth.lines);
   EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
   EXPECT_GT(layers.n_cells(), 0u) << "its neighbours grow all the same";

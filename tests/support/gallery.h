@@ -26,6 +26,7 @@ inline mesh::SurfaceMesh catalogued(const std::string& name, const shapes::Param
 inline const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
       {"tetrahedron", shapes_for_tests::tetrahedron},
+      {"blind_corner", shapes_for_tests::blind_corner},
       {"cube", [] { return catalogued("cube", {}, 0.25); }},
       {"plate", [] { return catalogued("plate", {}, 0.1); }},
       {"wedge",

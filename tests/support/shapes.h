@@ -202,6 +202,39 @@ inline mesh::SurfaceMesh cone(std::size_t n, double height) {
   return make_surface(points, faces);
 }
 
+/// Union of unit cubes given by their lowest corners, each of their faces cut in two.
+inline mesh::SurfaceMesh voxels(const std::vector<std::array<int, 3>>& cells) {
+  mesh::SurfaceMesh surface;
+  surface.patch_names.push_back("wall");
+  std::map<std::array<int, 3>, VertexId> vertices;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [it, is_new] = vertices.try_emplace(p);
+    if (is_new) it->second = surface.points.push_back(Vec3(p[0], p[1], p[2]));
+    return it->second;
+  };
+  for (const auto& cell : cells) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side < 2; ++side) {
+        auto neighbour = cell;
+        neighbour[axis] += side == 0 ? -1 : 1;
+        if (std::find(cells.begin(), cells.end(), neighbour) != cells.end()) continue;
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        std::array<std::array<int, 3>, 4> quad{cell, cell, cell, cell};
+        for (auto& corner : quad) corner[axis] += side;
+        ++quad[1][u], ++quad[2][u], ++quad[2][v], ++quad[3][v];
+        if (side == 0) std::swap(quad[1], quad[3]);
+        surface.faces.push_back({vertex(quad[0]), vertex(quad[1]), vertex(quad[2])});
+        surface.faces.push_back({vertex(quad[0]), vertex(quad[2]), vertex(quad[3])});
+      }
+    }
+  }
+  surface.face_patch.assign(surface.faces.size(), PatchId(0));
+  return surface;
+}
+
+/// Four cubes in a chain round the origin, which has faces that look along y and against it: no direction sees both.
+inline mesh::SurfaceMesh blind_corner() { return voxels({{-1, -1, -1}, {0, -1, -1}, {0, 0, -1}, {0, 0, 0}}); }
+
 /// Two tetrahedra that have one point in common.
 inline mesh::SurfaceMesh pinched_vertex() {
   mesh::SurfaceMesh surface = tetrahedron();
