@@ -59,7 +59,7 @@ TEST_P(EveryCommand, RefusesSomeThreads) {
 INSTANTIATE_TEST_SUITE_P(Commands, EveryCommand,
                          testing::Values("run", "batch", "check", "init", "normals", "layers", "shape", "picture",
                                          "convert", "certify"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& tested) { return std::string(tested.param); });
 
 TEST(Program, NamesTheNearestCommand) {
   const Outcome wrong = Workplace().run({"chekc"});

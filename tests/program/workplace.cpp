@@ -67,6 +67,7 @@ void Workplace::write(const std::string& name, const std::string& text) const {
 }
 
 std::string Workplace::read(const std::string& name) const {
+  if (!fs::is_regular_file(path(name))) return "";
   std::ifstream in(path(name));
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
