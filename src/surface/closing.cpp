@@ -64,7 +64,7 @@ bool closes(const OpenEdges& open, double tolerance) {
 /// along it; one that is far too long merges what must stay apart, hence several orders of magnitude are tried.
 double any_closing_length(const OpenEdges& open) {
   constexpr double kStep = 0.25;
-  constexpr int kNSteps = 8;
+  constexpr int kNSteps = 6;
   double length = open.shortest;
   for (int i = 0; i < kNSteps; ++i, length *= kStep) {
     if (closes(open, length)) return length;
@@ -72,14 +72,18 @@ double any_closing_length(const OpenEdges& open) {
   return 0;
 }
 
-/// The shortest length that still closes, by bisection to a thousandth.
+/// The shortest length that still closes: its order of magnitude first, then by bisection to a thousandth.
+/// \param closing  a length that closes
 double shortest_closing_length(const OpenEdges& open, double closing) {
-  constexpr int kNShrinks = 100;
-  constexpr int kNBisections = 10;
-  double failing = closing * 0.5;
-  for (int i = 0; i < kNShrinks && closes(open, failing); ++i) {
+  constexpr double kShrink = 1.0 / 16;
+  constexpr int kNBisections = 14;  // 4 halvings of a bracket of 1 to 16, 10 for the digits
+  constexpr double kTiny = 0x1p-20;
+  const bool is_soup = closes(open, 0);  // equal points that were not welded: any length does
+  if (is_soup) return closing * kTiny;
+  double failing = closing * kShrink;
+  while (closes(open, failing)) {
     closing = failing;
-    failing *= 0.5;
+    failing *= kShrink;
   }
   for (int i = 0; i < kNBisections; ++i) {
     const double middle = 0.5 * (failing + closing);

@@ -222,6 +222,13 @@ TEST(Admission, NamesTheWeldLengthThatClosesACrack) {
   }
 }
 
+TEST(Admission, NamesAWeldLengthForASoupThatWasNotWelded) {
+  const mesh::SurfaceMesh soup = shapes::as_soup(shapes::sphere(2));
+  const Admission admission = inspected(soup);
+  ASSERT_GT(admission.closing_tolerance, 0.0);
+  EXPECT_TRUE(inspected(weld(soup, admission.closing_tolerance)).is_usable());
+}
+
 TEST(Admission, NamesNoWeldLengthThatWouldCollapseTriangles) {
   EXPECT_EQ(inspected(cracked_sphere(0.5)).closing_tolerance, 0.0);
 }
