@@ -51,7 +51,7 @@ Chart rounding_chart(int across, double limit, double sign) {
           }};
 }
 
-/// Corners of a cross-section, counterclockwise seen from the front: low left …
+/// Corners of a cross-section, counterclockwise seen from the front: low right …
 using Corners = std::array<VertexId, 4>;
 
 Corners add_corners(SurfaceBuilder& builder, double x, double inset) {
@@ -116,14 +116,14 @@ mesh::SurfaceMesh make_ahmed(const Values& v, double size) {
                         b.add_point({kLength, -kWidth / 2, kHigh - kSlantLength * std::sin(slant)}),
                         b.add_point({kLength, kWidth / 2, kHigh - kSlantLength * std::sin(slant)})};
   const double roof_end = kLength - kSlantLength * std::cos(slant);
-  const VertexId right = b.add_point({roof_end, -kWidth / 2, kHigh}), left = b.add_point({roof_end, kWidth / 2, kHigh});
+  const VertexId left = b.add_point({roof_end, -kWidth / 2, kHigh}), right = b.add_point({roof_end, kWidth / 2, kHigh});
 
   add_front(b, front, rim, h);
-  add_flat_face(b, "roof", {rim[3], rim[2], right, left}, h);
-  add_flat_face(b, "slant", {left, right, back[2], back[3]}, h);
+  add_flat_face(b, "roof", {rim[3], rim[2], left, right}, h);
+  add_flat_face(b, "slant", {right, left, back[2], back[3]}, h);
   add_flat_face(b, "base", {back[0], back[3], back[2], back[1]}, h);
-  add_flat_face(b, "side-left", {rim[0], rim[3], left, back[3], back[0]}, h);
-  add_flat_face(b, "side-right", {rim[1], back[1], back[2], right, rim[2]}, h);
+  add_flat_face(b, "side-right", {rim[0], rim[3], right, back[3], back[0]}, h);
+  add_flat_face(b, "side-left", {rim[1], back[1], back[2], left, rim[2]}, h);
 
   std::vector<Row> underbody = {loop_of({b.edge(rim[0], back[0], h), b.edge(back[0], back[1], h),
                                          b.edge(back[1], rim[1], h), b.edge(rim[1], rim[0], h)})};

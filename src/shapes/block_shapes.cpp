@@ -31,7 +31,7 @@ mesh::SurfaceMesh make_box(const Values& v, double size) {
 /// Prism between the sides y = ±width / 2.
 mesh::SurfaceMesh make_prism(const std::vector<PrismCorner>& polygon, double width, double size) {
   SurfaceBuilder builder;
-  add_prism(builder, polygon, -width / 2, width / 2, "side-right", "side-left", size);
+  add_prism(builder, polygon, -width / 2, width / 2, "side-left", "side-right", size);
   return builder.finish();
 }
 

@@ -94,6 +94,11 @@ void SurfaceBuilder::stitch(PatchId patch, const Row& right, const Row& left) {
   }
 }
 
+void SurfaceBuilder::stitch_pairs(PatchId patch, const Row& right, const Row& left) {
+  expect(right.size() == left.size(), "rows of quadrangles have equally many points");
+  for (std::size_t i = 0; i + 1 < right.size(); ++i) stitch(patch, {right[i], right[i + 1]}, {left[i], left[i + 1]});
+}
+
 void SurfaceBuilder::stitch_rings(PatchId patch, const Row& right, const Row& left) {
   const auto closed = [](Row ring) {
     if (ring.size() > 1) ring.push_back(ring.front());

@@ -49,7 +49,9 @@ class SurfaceBuilder {
   /// may have different numbers of points, and may begin or end in the same vertex. Of the two triangles that could
   /// come next the one with the shorter new edge does.
   void stitch(PatchId patch, const Row& right, const Row& left);
-  /// The same for closed rows, whose first vertex is not repeated; a row of one vertex is the tip of a cone.
+  /// Two triangles between each two neighbours of rows with equally many points, cut along the shorter diagonal.
+  void stitch_pairs(PatchId patch, const Row& right, const Row& left);
+  /// `stitch` for closed rows, whose first vertex is not repeated; a row of one vertex is the tip of a cone.
   void stitch_rings(PatchId patch, const Row& right, const Row& left);
   /// Triangles of about `size` inside closed rows: the first runs round the face counterclockwise seen from outside,
   /// the others round holes in it. Edges of the rows are kept.

@@ -12,6 +12,9 @@ namespace {
 /// Fewest stretches along the span.
 constexpr int kMinSpanwise = 3;
 
+/// Largest edge length over the shorter chord.
+constexpr double kMaxSize = 0.2;
+
 /// Where a point of the section lies at the root (y = 0) and at the flat tip.
 struct SpanLine {
   Vec3 root, tip;
@@ -99,6 +102,10 @@ void add_rounded_tip(SurfaceBuilder& builder, const HalfWing& wing, const Sectio
 
 }  // namespace
 
+double wing_size(double size, double root_chord, double tip_chord) {
+  return std::min(size, kMaxSize * std::min(root_chord, tip_chord));
+}
+
 SectionRows add_half_wing(SurfaceBuilder& builder, const HalfWing& wing, double size) {
   const SectionLines lines = section_lines(wing, size);
   const PatchId upper = builder.patch(wing.prefix + "upper"), lower = builder.patch(wing.prefix + "lower");
@@ -107,9 +114,10 @@ SectionRows add_half_wing(SurfaceBuilder& builder, const HalfWing& wing, double 
   SectionRows previous = root;
   for (int k = 1; k <= n; ++k) {
     const SectionRows next = add_section(builder, wing, lines, static_cast<double>(k) / n);
-    builder.stitch(upper, previous.upper, next.upper);
-    builder.stitch(lower, next.lower, previous.lower);
-    if (wing.section.is_blunt) builder.stitch(builder.patch(wing.prefix + "trailing-edge"), previous.base, next.base);
+    builder.stitch_pairs(upper, previous.upper, next.upper);
+    builder.stitch_pairs(lower, next.lower, previous.lower);
+    if (wing.section.is_blunt)
+      builder.stitch_pairs(builder.patch(wing.prefix + "trailing-edge"), previous.base, next.base);
     previous = next;
   }
   if (wing.has_rounded_tip) {

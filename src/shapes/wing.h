@@ -33,6 +33,9 @@ struct SectionRows {
   Row loop() const { return loop_of({upper, base, reversed(lower)}); }
 };
 
+/// The edge length for a wing: the size asked for, but no more than a fraction of the shorter chord.
+double wing_size(double size, double root_chord, double tip_chord);
+
 /// Adds all of the half wing but for its open root. Its sides have one structured row of quadrangles, cut along their
 /// shorter diagonals, for each stretch of about `size` along the span; the tip is a plane, or half a body of revolution
 /// of the tip section about its chord.

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string_view>
 
 #include "nearwall/geometry/angles.h"
 #include "shapes/definition.h"
@@ -17,6 +18,14 @@ constexpr double kTailLength = 5;
 
 /// Default edge length, over the chord at the plane of symmetry.
 constexpr double kDefaultSize = 0.035;
+
+/// The wing's root keeps this distance from the fuselage's keel and top, over the radius.
+constexpr double kClearOfSymmetry = 0.1;
+
+constexpr std::string_view kOnTheCylinder =
+    "the wing's root must lie on the sides of the fuselage's cylinder, from 3 radii behind its nose to 5 radii before "
+    "its "
+    "tail: change wing-position, wing-height, chord, fuselage-length or fuselage-radius";
 
 /// A row round the right half of the fuselage, from its keel to its top. Odd rows are turned by half an edge.
 Row add_half_circle(SurfaceBuilder& builder, double x, double r, double size, bool is_turned) {
@@ -50,6 +59,7 @@ double leaves_cylinder(const Vec3& root, const Vec3& tip, double r) {
   const double dy = tip.y() - root.y(), dz = tip.z() - root.z();
   const double a = dy * dy + dz * dz, b = root.y() * dy + root.z() * dz;
   const double c = root.y() * root.y() + root.z() * root.z() - r * r;
+  require(c < 0, kOnTheCylinder);
   return (std::sqrt(b * b - a * c) - b) / a;
 }
 
@@ -66,7 +76,8 @@ HalfWing wing_of(const Values& v, double size) {
                 .has_rounded_tip = v.is_on("rounded-tip"),
                 .prefix = "wing-",
                 .start = [r](const Vec3& root, const Vec3& tip) { return leaves_cylinder(root, tip, r); }};
-  wing.t = section_parameters(wing.section, 2 * size / (wing.root_chord + wing.tip_chord));
+  const double h = wing_size(size, wing.root_chord, wing.tip_chord);
+  wing.t = section_parameters(wing.section, 2 * h / (wing.root_chord + wing.tip_chord));
   return wing;
 }
 
@@ -74,18 +85,18 @@ mesh::SurfaceMesh make_wing_body(const Values& v, double size) {
   const double r = v["fuselage-radius"],
                h = std::min(size == 0 ? kDefaultSize * v["chord"] : size, 2 * kPi * r / kMinRound);
   const double begin = kNoseLength * r, end = v["fuselage-length"] - kTailLength * r;
-  const double room = r * std::sqrt(1 - v["wing-height"] * v["wing-height"]);
   require(v["span"] / 2 > 1.5 * r,
           "the wing must reach out of the fuselage: give a larger span or smaller fuselage-radius");
-  const double back =
-      v["wing-position"] + v["chord"] + std::max(0.0, room * std::tan(geometry::to_radians(v["sweep"])));
-  require(v["wing-position"] > begin + h && back < end - h,
-          "the wing's root must lie on the cylindrical part of the fuselage, from 3 radii behind its nose to 5 radii "
-          "before its tail: change wing-position, chord or fuselage-length");
+  require(begin < end, kOnTheCylinder);
 
   SurfaceBuilder builder;
   const PatchId fuselage = builder.patch("fuselage");
-  const SectionRows root = add_half_wing(builder, wing_of(v, h), h);
+  const HalfWing wing = wing_of(v, h);
+  const SectionRows root = add_half_wing(builder, wing, wing_size(h, wing.root_chord, wing.tip_chord));
+  for (const VertexId vertex : root.loop()) {
+    const Vec3& p = builder.point(vertex);
+    require(p.x() > begin + h && p.x() < end - h && std::abs(p.z()) < (1 - kClearOfSymmetry) * r, kOnTheCylinder);
+  }
   const Row front = add_half_circle(builder, begin, r, h, false), rear = add_half_circle(builder, end, r, h, false);
   add_half_end(builder, fuselage, elliptic_piece("", begin, begin, r, kPi, kPi / 2, h).points, front, true, h);
   add_half_end(builder, fuselage, elliptic_piece("", end, kTailLength * r, r, kPi / 2, 0, h).points, rear, false, h);

@@ -21,6 +21,7 @@ constexpr double kDefaultSize = 0.03;
 /// A wing from tip to tip, or its right half with a flat root.
 mesh::SurfaceMesh make_wing(HalfWing wing, bool is_half, double size) {
   SurfaceBuilder builder;
+  size = wing_size(size, wing.root_chord, wing.tip_chord);
   wing.t = section_parameters(wing.section, 2 * size / (wing.root_chord + wing.tip_chord));
   const SectionRows root = add_half_wing(builder, wing, size);
   if (is_half) {
