@@ -1,0 +1,134 @@
+#include "nearwall/pipeline/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/pipeline/scratch_folder.h"
+
+namespace nearwall {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+Report sample() {
+  Report r;
+  r.name = "wing <2>";
+  r.version = "1.2.3";
+  r.certified = true;
+  r.cells = {1, 2, 3, 4};
+  r.input_file = "wing.stl";
+  r.input_sha256 = "abc";
+  r.settings = parse_case(
+      "[surface]\nfile = \"wing.stl\"\n[layers]\nfirst_height = 1e-5\n[patches.tip]\ntype = "
+      "\"nolayer\"\n[patches.\"w*\"]\ncount = 7\n",
+      "case.toml");
+  PatchReport wing{"wing", PatchType::Wall, 50, {}};
+  wing.coverage.area = 2;
+  wing.coverage.full_percent = 90;
+  wing.coverage.all_layers_percent = 95;
+  wing.coverage.any_percent = 100;
+  wing.coverage.limit_percent[3] = 7.5;
+  wing.coverage.limit_percent[1] = 2.5;
+  wing.coverage.asked = {true, 1e-5, 0.01, 30};
+  wing.coverage.first_height = quality::weighted_statistics(std::vector<double>{1e-5, 2e-5}, std::vector<double>{1, 1});
+  r.patches = {wing, {"tip", PatchType::NoLayer, 0, {}}};
+  r.quality.scaled_jacobian = quality::weighted_statistics(std::vector<double>{0.1, 0.9}, std::vector<double>{1, 3});
+  r.stages = {{"reading", 0.5}, {"layers", 1.5}};
+  r.files = {"wing.vtu", "report.json"};
+  return r;
+}
+
+TEST(ReportJson, HasTheKeysThatOthersRelyOn) {
+  const Json j = Json::parse(to_json(sample()));
+  EXPECT_EQ(j["certified"], true);
+  EXPECT_EQ(j["cells"], Json({{"tetrahedron", 1}, {"pyramid", 2}, {"wedge", 3}, {"hexahedron", 4}}));
+  const Json& wing = j["patches"]["wing"];
+  EXPECT_EQ(wing["area"], 2);
+  EXPECT_EQ(wing["full_percent"], 90);
+  EXPECT_EQ(wing["all_layers_percent"], 95);
+  EXPECT_EQ(wing["any_percent"], 100);
+  EXPECT_TRUE(wing.contains("mean_layers"));
+  EXPECT_EQ(wing["first_height"]["asked"], 1e-5);
+  for (const char* key : {"median", "p01", "p99"}) EXPECT_TRUE(wing["first_height"].contains(key));
+  for (const char* key : {"asked", "median", "p01"}) EXPECT_TRUE(wing["thickness"].contains(key));
+  EXPECT_EQ(wing["limits"], Json({{"gap", 7.5}, {"visibility", 2.5}}));
+  EXPECT_EQ(j["patches"]["tip"]["type"], "nolayer");
+  for (const char* key : {"min", "p01", "median", "p99", "max"}) {
+    EXPECT_TRUE(j["quality"]["scaled_jacobian"].contains(key)) << key;
+  }
+  EXPECT_TRUE(j["quality"].contains("orthogonality"));
+  EXPECT_TRUE(j["quality"].contains("growth"));
+  for (const char* key : {"cells", "domain", "closure"}) EXPECT_TRUE(j["volume"].contains(key)) << key;
+  EXPECT_EQ(j["stages"][1], Json({{"name", "layers"}, {"seconds", 1.5}}));
+  EXPECT_TRUE(j.contains("peak_memory_bytes"));
+  EXPECT_EQ(j["input"], Json({{"file", "wing.stl"}, {"sha256", "abc"}}));
+  EXPECT_EQ(j["version"], "1.2.3");
+}
+
+TEST(ReportJson, EchoesEveryValueInForce) {
+  const Json c = Json::parse(to_json(sample()))["case"];
+  EXPECT_EQ(c["format"], 1);
+  EXPECT_EQ(c["name"], "wing");
+  EXPECT_EQ(c["surface"]["scale"], 1.0);
+  EXPECT_EQ(c["surface"]["weld"], "auto");
+  EXPECT_EQ(c["features"]["ridge_angle"], 40.0);
+  EXPECT_EQ(c["layers"]["first_height"], 1e-5);
+  EXPECT_EQ(c["layers"]["law"], "geometric");
+  EXPECT_EQ(c["patches"]["tip"], Json({{"type", "nolayer"}}));
+  EXPECT_EQ(c["patches"]["w*"], Json({{"count", 7}}));
+  EXPECT_EQ(c["output"]["formats"], Json({"vtu"}));
+}
+
+TEST(ReportJson, WritesNumbersThatReadBackToTheSameBits) {
+  Report r = sample();
+  r.patches[0].coverage.area = 0.1 + 0.2;
+  EXPECT_THAT(to_json(r), HasSubstr("0.30000000000000004"));
+  r.patches[0].coverage.area = 1e-5;
+  EXPECT_EQ(Json::parse(to_json(r))["patches"]["wing"]["area"].get<double>(), 1e-5);
+}
+
+TEST(ReportJson, SurvivesNamesThatAreNoText) {
+  Report r = sample();
+  r.patches[0].name = "\xff\xfe";
+  EXPECT_NO_THROW(to_json(r));
+  EXPECT_NO_THROW(to_html(r, "."));
+}
+
+TEST(Report, IsShortWhereAPatchIsUnderItsMinimum) {
+  Report r = sample();
+  EXPECT_FALSE(r.is_short_of_coverage());
+  r.patches[0].min_coverage = 95.5;
+  EXPECT_TRUE(r.is_short_of_coverage());
+  r.patches[0].type = PatchType::NoLayer;
+  EXPECT_FALSE(r.is_short_of_coverage());
+}
+
+TEST(ReportHtml, NeedsNothingElse) {
+  const ScratchFolder folder;
+  folder.write("a.png", "\x89PNG!");
+  Report r = sample();
+  r.pictures = {{"a.png", "A picture"}, {"gone.png", "A picture that is gone"}};
+  const std::string html = to_html(r, folder.path());
+  EXPECT_THAT(html, HasSubstr("data:image/png;base64,iVBORyE="));
+  for (const char* outside : {"http:", "https:", "<link", "<script", "src='a", "url(", "gone"}) {
+    EXPECT_THAT(html, Not(HasSubstr(outside)));
+  }
+}
+
+TEST(ReportHtml, TellsTheVerdictAndEscapesNames) {
+  Report r = sample();
+  const std::string html = to_html(r, ".");
+  EXPECT_THAT(html, HasSubstr("wing &lt;2&gt;"));
+  EXPECT_THAT(html, Not(HasSubstr("wing <2>")));
+  EXPECT_THAT(html, HasSubstr("✓ certified"));
+  r.certified = false;
+  EXPECT_THAT(to_html(r, "."), HasSubstr("not certified"));
+  r.patches[0].min_coverage = 99;
+  EXPECT_THAT(to_html(r, "."), HasSubstr("coverage under min_coverage"));
+}
+
+}  // namespace
+}  // namespace nearwall
