@@ -57,7 +57,7 @@ TEST(RunCommand, NamesTheNearestKey) {
   place.write_case("case.toml", "cube.obj", "[layrs]\ncount = 3\n");
   const Outcome outcome = place.run({"run", "case.toml"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("case.toml:9"));
+  EXPECT_THAT(outcome.err, HasSubstr("case.toml:10:"));
   EXPECT_THAT(outcome.err, HasSubstr("layers"));
 }
 
