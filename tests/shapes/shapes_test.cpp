@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
 #include "nearwall/core/errors.h"
-#include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/box.h"
-#include "nearwall/geometry/measures.h"
-#include "nearwall/mesh/topology.h"
-#include "nearwall/search/self_intersection.h"
+#include "tests/shapes/surface_measures.h"
 
 namespace nearwall::shapes {
 namespace {
@@ -23,182 +21,6 @@ using geometry::to_radians;
 using mesh::SurfaceMesh;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-double volume(const SurfaceMesh& s) {
-  geometry::CompensatedSum sum;
-  for (const FaceId f : s.faces.ids()) {
-    const auto [a, b, c] = s.triangle(f);
-    sum.add(dot(a, cross(b, c)) / 6);
-  }
-  return sum.value();
-}
-
-double patch_area(const SurfaceMesh& s, std::string_view patch) {
-  geometry::CompensatedSum sum;
-  for (const FaceId f : s.faces.ids()) {
-    const auto [a, b, c] = s.triangle(f);
-    if (s.patch_names[s.face_patch[f]] == patch) sum.add(geometry::triangle_area(a, b, c));
-  }
-  return sum.value();
-}
-
-double smallest_angle_deg(const SurfaceMesh& s) {
-  double smallest = kPi;
-  for (const FaceId f : s.faces.ids()) {
-    const auto [a, b, c] = s.triangle(f);
-    smallest = std::min(
-        {smallest, geometry::corner_angle(a, b, c), geometry::corner_angle(b, c, a), geometry::corner_angle(c, a, b)});
-  }
-  return geometry::to_degrees(smallest);
-}
-
-long euler_characteristic(const SurfaceMesh& s) {
-  return static_cast<long>(s.points.size()) - static_cast<long>(s.faces.size() / 2);
-}
-
-std::set<std::string> patches(const SurfaceMesh& s) { return {s.patch_names.begin(), s.patch_names.end()}; }
-
-/// A shape with parameters, and what its surface must be like.
-struct Sample {
-  std::string label;
-  std::string name;
-  ParameterValues parameters;
-  double size = 0;
-  double smallest_angle_deg = 25;
-  long euler = 2;
-};
-
-void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.label; }
-
-class EveryShape : public testing::TestWithParam<Sample> {
- protected:
-  SurfaceMesh surface = make_shape(GetParam().name, GetParam().parameters, GetParam().size);
-};
-
-TEST_P(EveryShape, IsClosedAndManifold) {
-  const mesh::Topology topology(surface);
-  EXPECT_TRUE(topology.is_closed());
-  EXPECT_EQ(euler_characteristic(surface), GetParam().euler);
-}
-
-TEST_P(EveryShape, SharesPointsInsteadOfRepeatingThem) {
-  std::set<std::array<double, 3>> distinct;
-  for (const Vec3& p : surface.points) distinct.insert({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});
-  EXPECT_EQ(distinct.size(), surface.points.size());
-}
-
-TEST_P(EveryShape, PointsOutward) { EXPECT_GT(volume(surface), 0); }
-
-TEST_P(EveryShape, HasGoodTriangles) { EXPECT_GT(smallest_angle_deg(surface), GetParam().smallest_angle_deg); }
-
-TEST_P(EveryShape, UsesAllItsPatches) {
-  std::set<PatchId> used(surface.face_patch.begin(), surface.face_patch.end());
-  EXPECT_EQ(used.size(), surface.patch_names.size());
-  EXPECT_EQ(patches(surface).size(), surface.patch_names.size());
-}
-
-TEST_P(EveryShape, DoesNotMeetItself) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const auto& [a, b, c] : surface.faces) triangles.push_back({a.index(), b.index(), c.index()});
-  EXPECT_TRUE(search::self_intersections({surface.points.raw(), triangles}).empty());
-}
-
-TEST_P(EveryShape, IsTheSameEachTime) {
-  const SurfaceMesh again = make_shape(GetParam().name, GetParam().parameters, GetParam().size);
-  EXPECT_EQ(again.points, surface.points);
-  EXPECT_EQ(again.faces, surface.faces);
-  EXPECT_EQ(again.face_patch, surface.face_patch);
-  EXPECT_EQ(again.patch_names, surface.patch_names);
-}
-
-TEST_P(EveryShape, ScalesExactlyByPowersOfTwo) {
-  const ShapeInfo& info = *std::find_if(catalogue().begin(), catalogue().end(),
-                                        [](const ShapeInfo& s) { return s.name == GetParam().name; });
-  if (info.name == "onera-m6" || info.name == "ahmed") return;  // made to one size
-  constexpr double kScale = 1.0 / 1024;
-  ParameterValues scaled;
-  for (const ShapeParameter& p : info.parameters) {
-    const auto given = GetParam().parameters.find(p.name);
-    const double value = given == GetParam().parameters.end() ? p.value : given->second;
-    scaled[p.name] = p.unit == "length" ? value * kScale : value;
-  }
-  SurfaceMesh expected = surface;
-  for (Vec3& p : expected.points) p *= kScale;
-  const SurfaceMesh small = make_shape(info.name, scaled, GetParam().size * kScale);
-  EXPECT_EQ(small.points, expected.points);
-  EXPECT_EQ(small.faces, expected.faces);
-}
-
-/// All shapes with their defaults, then sizes and parameters that ask for something else. Sharp tips and leading edges
-/// that are much rounder than their wing is long bound the smallest angle.
-const std::vector<Sample> kSamples = {
-    {"sphere", "sphere", {}, 0, 50},
-    {"coarse_sphere", "sphere", {}, 10, 45},
-    {"fine_sphere", "sphere", {{"radius", 3}}, 0.1, 50},
-    {"ellipsoid", "ellipsoid", {}, 0, 30},
-    {"flat_ellipsoid", "ellipsoid", {{"length", 3}, {"width", 2}, {"height", 0.3}}, 0.05, 5},
-    {"torus", "torus", {}, 0, 30, 0},
-    {"coarse_torus", "torus", {{"tube-radius", 0.8}}, 1, 15, 0},
-    {"cylinder", "cylinder", {}, 0, 30},
-    {"coarse_cylinder", "cylinder", {}, 5, 25},
-    {"disc", "cylinder", {{"length", 0.05}}, 0.05, 25},
-    {"cone", "cone", {}, 0, 15},
-    {"slender_cone", "cone", {{"half-angle", 5}}, 0, 4},
-    {"blunt_cone", "cone", {{"half-angle", 70}}, 0.2, 10},
-    {"capsule", "capsule", {}, 0, 30},
-    {"coarse_capsule", "capsule", {}, 1, 25},
-    {"cube", "cube", {}, 0, 28},
-    {"twelve_triangles", "cube", {}, 1, 44},
-    {"fine_cube", "cube", {}, 0.03, 28},
-    {"box", "box", {}, 0, 25},
-    {"plate", "plate", {}, 0, 25},
-    {"wedge", "wedge", {}, 0, 15},
-    {"sharp_wedge", "wedge", {{"angle", 5}}, 0, 3},
-    {"step", "step", {}, 0, 25},
-    {"notch", "notch", {}, 0, 25},
-    {"narrow_notch", "notch", {{"angle", 10}}, 0.2, 4},
-    {"groove", "groove", {}, 0, 25},
-    {"block_on_floor", "block-on-floor", {}, 0, 25},
-    {"saddle_block", "saddle-block", {}, 0, 25},
-    {"steep_saddle_block", "saddle-block", {{"rise", 0.65}}, 0.05, 8},
-    {"star", "star", {}, 0, 20},
-    {"star_of_12", "star", {{"points", 12}, {"height", 2}}, 0.3, 3},
-    {"bend", "bend", {}, 0, 30},
-    {"tight_bend", "bend", {{"bend-radius", 0.6}, {"angle", 180}}, 0.1, 8},
-    {"two_boxes", "two-boxes", {}, 0, 25, 4},
-    {"two_spheres", "two-spheres", {}, 0, 45, 4},
-    {"small_gap", "two-spheres", {{"gap", 1e-3}, {"second-radius", 0.05}}, 0, 45, 4},
-    {"concentric_spheres", "concentric-spheres", {}, 0, 45, 4},
-    {"thin_shell", "concentric-spheres", {{"inner-radius", 0.9}}, 1, 45, 4},
-    {"naca0012", "naca", {}, 0, 4},
-    {"naca4412_swept_blunt", "naca", {{"digits", 4412}, {"sweep", 35}, {"taper", 0.4}, {"blunt", 1}}, 0.05, 1},
-    {"naca2418_flat_tips", "naca", {{"digits", 2418}, {"rounded-tip", 0}}, 0.06, 2},
-    {"half_naca_blunt_flat", "naca", {{"half", 1}, {"blunt", 1}, {"rounded-tip", 0}, {"span", 1}}, 0.02, 4},
-    {"fine_blunt_base", "naca", {{"digits", 30}, {"half", 1}, {"blunt", 1}, {"span", 0.3}}, 0.005, 4},
-    {"onera_m6", "onera-m6", {}, 0, 4},
-    {"half_onera_m6", "onera-m6", {{"half", 1}}, 0.02, 3},
-    {"blunt_onera_m6", "onera-m6", {{"blunt", 1}, {"rounded-tip", 0}}, 0.03, 1},
-    {"wing_body", "wing-body", {}, 0, 1.5},
-    {"high_blunt_wing_body",
-     "wing-body",
-     {{"wing-height", 0.6}, {"blunt", 1}, {"sweep", 0}, {"rounded-tip", 0}},
-     0.1,
-     0.4},
-    {"ahmed", "ahmed", {}, 0, 25},
-    {"ahmed_on_stilts", "ahmed", {{"stilts", 1}}, 0, 20, 2},
-    {"coarse_ahmed_35", "ahmed", {{"slant-angle", 35}}, 0.05, 12},
-};
-
-INSTANTIATE_TEST_SUITE_P(Gallery, EveryShape, testing::ValuesIn(kSamples),
-                         [](const auto& sample) { return sample.param.label; });
-
-TEST(Gallery, CoversTheCatalogue) {
-  for (const ShapeInfo& info : catalogue()) {
-    EXPECT_TRUE(std::any_of(kSamples.begin(), kSamples.end(), [&](const Sample& s) {
-      return s.name == info.name && s.parameters.empty() && s.size == 0;
-    })) << info.name;
-  }
-}
 
 TEST(Catalogue, HasDefaultsWithinTheirRanges) {
   for (const ShapeInfo& info : catalogue()) {
@@ -380,7 +202,6 @@ TEST(Ahmed, HasThePublishedDimensions) {
   EXPECT_NEAR(box.high.z(), 0.050 + 0.288, 1e-15);
   EXPECT_NEAR(patch_area(s, "slant"), 0.222 * 0.389, 1e-12);
   EXPECT_NEAR(patch_area(s, "base"), (0.288 - 0.222 * std::sin(to_radians(25))) * 0.389, 1e-12);
-  // Four rounded sides of radius 100 mm seen from the front: 389 x 288 in all.
   EXPECT_EQ(patches(s), (std::set<std::string>{"front", "roof", "slant", "base", "side-left", "side-right", "underbody",
                                                "stilts"}));
 }
