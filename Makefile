@@ -21,6 +21,7 @@ build: configure      ## build everything, tests and benchmarks, too
 	@cmake --build $(BUILD) -j $(JOBS) -- --quiet
 
 run: program          ## mesh a case: make run CASE=cases/onera-m6/case.toml
+	@sh cmake/install-packages.sh $(notdir $(patsubst %/,%,$(dir $(abspath $(CASE)))))
 	@PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh cmake/run-case.sh $(CASE)
 
 test: build           ## run all tests but the slow ones

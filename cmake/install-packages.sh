@@ -1,9 +1,11 @@
 #!/bin/sh
 # Installs the Debian packages of cmake/debian-packages.txt that are missing, and asks nothing.
-# usage: cmake/install-packages.sh [slow]     'slow' adds those that only `make test-slow` needs
+# usage: cmake/install-packages.sh [LABEL]...     adds those that carry one of the labels
 set -eu
 list="$(dirname "$0")/debian-packages.txt"
-want=$(awk -v slow="${1:-}" '/^#/ || NF == 0 { next } NF == 1 || $2 == slow { print $1 }' "$list")
+want=$(awk -v labels=" $* " '/^#/ || NF == 0 { next }
+                             NF == 1 { print $1; next }
+                             { for (i = 2; i <= NF; ++i) if (index(labels, " " $i " ")) { print $1; next } }' "$list")
 missing=""
 for package in $want; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing="$missing $package"
