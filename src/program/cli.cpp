@@ -55,7 +55,8 @@ std::string stray_word(const CLI::App& app) {
     }
     const auto names = names_below(app);
     if (!names.empty())
-      return fmt::format("unknown {} '{}'{}", app.get_parent() ? "name" : "command", word, did_you_mean(word, names));
+      return fmt::format("unknown {} '{}'{}", app.get_parent() ? app.get_name() : "command", word,
+                         did_you_mean(word, names));
     return fmt::format("unexpected argument '{}'", word);
   }
   return "";
