@@ -14,6 +14,7 @@
 #include "program/cli.h"
 #include "program/interrupt.h"
 #include "program/table.h"
+#include "program/version.h"
 
 namespace nearwall::program {
 
@@ -103,6 +104,15 @@ int threads_of_each(int n_threads, int n_jobs) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / n_jobs);
 }
 
+/// The table as a page of Markdown. It names no path of this machine.
+std::string page_of(const Table& table, const std::vector<BatchResult>& results) {
+  return fmt::format(
+      "# Coverage\n\nMade by `nearwall batch` of version {}. Coverage is the share of the walls' area that has all "
+      "layers; "
+      "seconds are those of all stages, or until the case failed.\n\n{}.\n\n{}",
+      kVersion, tally(results), table.to_markdown());
+}
+
 ExitCode run_batch(const BatchArguments& arguments, CommandContext& context) {
   Console& console = context.console;
   const std::vector<BatchItem> items = plan_batch(arguments.request);
@@ -112,8 +122,7 @@ ExitCode run_batch(const BatchArguments& arguments, CommandContext& context) {
   const Table table = table_of(results);
   console.print_json(json_of(results));
   console.print(fmt::format("{}\n{}\n", table.to_text(), tally(results)));
-  if (arguments.table_file)
-    io::write_text(*arguments.table_file, fmt::format("{}\n{}.\n", table.to_markdown(), tally(results)));
+  if (arguments.table_file) io::write_text(*arguments.table_file, page_of(table, results));
   if (is_interrupted()) {
     console.fail("interrupted");
     return ExitCode::Interrupted;
