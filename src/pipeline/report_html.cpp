@@ -35,15 +35,15 @@ std::string megabytes(std::uint64_t bytes) { return fmt::format("{:.0f} MB", sta
 
 bool is_wall(const PatchReport& patch) { return patch.type == PatchType::Wall && patch.coverage.area > 0; }
 
-/// Mean over all walls by area.
+/// A percentage over all walls by area. What is missing is summed, so that nothing missing is 100 exactly.
 double over_all_walls(const Report& report, double quality::PatchCoverage::*member) {
-  double area = 0, sum = 0;
+  double area = 0, missing = 0;
   for (const PatchReport& patch : report.patches) {
     if (!is_wall(patch)) continue;
     area += patch.coverage.area;
-    sum += patch.coverage.area * (patch.coverage.*member);
+    missing += patch.coverage.area * (100 - patch.coverage.*member);
   }
-  return area > 0 ? sum / area : 0;
+  return area > 0 ? 100 - missing / area : 0;
 }
 
 std::string head_of(const Report& report) {

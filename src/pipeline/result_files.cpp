@@ -1,5 +1,7 @@
 #include "pipeline/result_files.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "nearwall/io/picture.h"
@@ -13,6 +15,9 @@
 namespace nearwall::pipeline {
 
 namespace {
+
+/// More than these, and their edges leave nothing of the colours of a picture of the whole surface.
+constexpr std::size_t kMostTrianglesWithEdges = 8000;
 
 /// The layers with columns numbered as the triangles of the input file, which differ from those of the wall where a
 /// repair dropped some.
@@ -90,6 +95,7 @@ std::vector<Picture> make_pictures(const Result& result, const std::string& name
     return true;
   };
   request.input = output.scratch(name + "-surface.vtp");
+  request.edges = result.wall.surface.faces.size() <= kMostTrianglesWithEdges;
   request.colour_by = "PointKind";
   request.range = {0, 4};
   request.title = "0 smooth  1 ridge  2 corner  3 ridge end  4 tip";
@@ -97,7 +103,7 @@ std::vector<Picture> make_pictures(const Result& result, const std::string& name
   progress.update(0.3);
   if (goes_on) {
     request.colour_by = "Layers";
-    request.range.reset();
+    request.range = {0, std::max<double>(1, result.growth.lines.table.n_levels())};
     request.title = "layers";
     goes_on = make(name + "-surface-layers.png", "Layers on each triangle");
   }
@@ -106,6 +112,7 @@ std::vector<Picture> make_pictures(const Result& result, const std::string& name
     request.input = output.scratch(name + "-close-up.vtu");
     write_columns_near(result.wall, result.growth, *place, request.input);
     request.colour_by = "Layer";
+    request.edges = true;
     request.title = "layer, from the wall";
     request.clip = place->plane;
     request.zoom = place->zoom;

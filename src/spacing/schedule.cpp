@@ -53,14 +53,14 @@ void expect_in_range(const ScheduleRequest& r) {
 /// Fills in growth and count where fewer than three quantities are given.
 ScheduleRequest with_defaults(ScheduleRequest r) {
   if (!r.first_height && !r.total_thickness) {
-    reject("layers: the heights are missing: give first_height (or y_plus with [flow]) or total_thickness");
+    reject("the heights are missing: give first_height (or y_plus with [flow]) or total_thickness");
   }
   const auto n_given = [&r] {
     return int{r.first_height.has_value()} + int{r.growth.has_value()} + int{r.count.has_value()} +
            int{r.total_thickness.has_value()};
   };
   if (n_given() == 4) {
-    reject("layers: any three of first_height, growth, count and total_thickness determine the fourth; leave out one");
+    reject("any three of first_height, growth, count and total_thickness determine the fourth; leave out one");
   }
   const Acceleration cap{r.constant_layers, r.acceleration, r.largest_growth};
   if (n_given() < 3 && !r.growth) r.growth = std::min(kDefaultGrowth, largest_growth(r.law, cap));
@@ -78,7 +78,7 @@ void solve_count(ScheduleRequest& r, const Acceleration& acceleration) {
   while (relative_thickness(r.law, *r.growth, count, acceleration) < ratio * (1 - kTypedDigits)) {
     if (++count > kMaxCount) {
       reject(
-          fmt::format("layers: more than {} layers would be needed for total_thickness = {} from first_height = {} "
+          fmt::format("more than {} layers would be needed for total_thickness = {} from first_height = {} "
                       "with growth {}; raise the growth or the first height, or lower the thickness",
                       kMaxCount, *r.total_thickness, *r.first_height, *r.growth));
     }
@@ -99,7 +99,7 @@ void solve_for_growth(ScheduleRequest& r, const Acceleration& acceleration) {
   const double thinnest = relative_thickness(r.law, 1, *r.count, acceleration);
   if (ratio < thinnest * (1 - kTypedDigits)) {
     reject(fmt::format(
-        "layers: {} layers from first_height = {} are at least {:.6g} thick, more than total_thickness = {}: "
+        "{} layers from first_height = {} are at least {:.6g} thick, more than total_thickness = {}: "
         "lower first_height to {:.6g} or less, lower count, or raise total_thickness",
         *r.count, *r.first_height, *r.first_height * thinnest, *r.total_thickness, *r.total_thickness / thinnest));
   }
@@ -107,7 +107,7 @@ void solve_for_growth(ScheduleRequest& r, const Acceleration& acceleration) {
   const double thickest = relative_thickness(r.law, limit, *r.count, acceleration);
   if (ratio > thickest * (1 + kTypedDigits)) {
     reject(
-        fmt::format("layers: {} layers from first_height = {} would have to grow by more than {} each to be {} thick: "
+        fmt::format("{} layers from first_height = {} would have to grow by more than {} each to be {} thick: "
                     "raise count, raise first_height to {:.6g} or more, or lower total_thickness",
                     *r.count, *r.first_height, limit, *r.total_thickness, *r.total_thickness / thickest));
   }
@@ -116,7 +116,7 @@ void solve_for_growth(ScheduleRequest& r, const Acceleration& acceleration) {
 
 Schedule table(const ScheduleRequest& r) {
   if (r.first_height || r.growth || r.count || r.total_thickness) {
-    reject("layers: the law \"table\" takes heights alone; leave out first_height, growth, count and total_thickness");
+    reject("the law \"table\" takes heights alone; leave out first_height, growth, count and total_thickness");
   }
   if (r.heights.empty()) reject("heights: the law \"table\" needs at least one height");
   expect_range(static_cast<double>(r.heights.size()), 1, kMaxCount, "number of heights");
@@ -158,7 +158,7 @@ Schedule solve_schedule(const ScheduleRequest& request) {
       r.law, *r.first_height, *r.growth, *r.count, 0, relative_heights(r.law, *r.growth, *r.count, acceleration)};
   for (double& h : s.heights) h *= s.first_height;
   s.total_thickness = std::accumulate(s.heights.begin(), s.heights.end(), 0.0);
-  if (!std::isfinite(s.total_thickness)) reject("layers: the heights overflow; lower growth or count");
+  if (!std::isfinite(s.total_thickness)) reject("the heights overflow; lower growth or count");
   return s;
 }
 

@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
          "count, total_thickness, law, heights, constant_layers, acceleration, largest_growth, on_conflict, "
          "min_coverage, until, max_level_step"},
         {"TooManyQuantities", "growth = 1.2\ncount = 3\ntotal_thickness = 1.0\n",
-         "dir/case.toml:4:1: layers: layers: any three of first_height, growth, count and total_thickness determine "
+         "dir/case.toml:4:1: layers: any three of first_height, growth, count and total_thickness determine "
          "the "
          "fourth; leave out one"},
         {"BothHeights", "y_plus = 1.0\n",
@@ -279,7 +279,7 @@ TEST(ResolvePatches, RejectsANameThatNoPatchHas) {
 
 TEST(ResolvePatches, NamesThePatchOfAnImpossibleSchedule) {
   EXPECT_THAT(patch_rejection(kLeast + "count = 10\n[patches.wing]\ntotal_thickness = 1e-6\n", {"wing"}),
-              StartsWith("dir/case.toml:7:1: layers of patch \"wing\": layers: 10 layers from first_height = 1e-05"));
+              StartsWith("dir/case.toml:7:1: layers of patch \"wing\": 10 layers from first_height = 1e-05"));
 }
 
 TEST(CaseTemplate, ParsesToTheDefaults) {
