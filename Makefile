@@ -3,7 +3,7 @@ CASE ?= cases/onera-m6/case.toml
 BUILD := build/release
 JOBS ?= 2
 
-.PHONY: help setup configure program build run test test-slow bench format format-check install clean
+.PHONY: help setup configure program build run test test-slow sanitize clang tidy fuzz bench format format-check install clean
 
 help:                 ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*##/\t/'
@@ -27,10 +27,28 @@ run: program          ## mesh a case: make run CASE=cases/onera-m6/case.toml
 test: build           ## run all tests but the slow ones
 	@ctest --test-dir $(BUILD) -j $(JOBS) -LE slow --no-tests=error --output-on-failure --progress
 
-test-slow:            ## run the slow tests, too: every case, sanitizers, fuzzing
+test-slow:            ## run the slow tests and every case, those from packages, too
 	@sh cmake/install-packages.sh slow
 	@$(MAKE) --no-print-directory build
-	@ctest --test-dir $(BUILD) -j $(JOBS) -L slow --no-tests=error --output-on-failure
+	@ctest --test-dir $(BUILD) -j $(JOBS) -L 'slow|case' --no-tests=error --output-on-failure
+
+sanitize: setup       ## all tests under the address and undefined-behaviour sanitizers
+	@cmake --workflow --preset asan
+
+clang: setup          ## all tests with clang
+	@sh cmake/install-packages.sh clang
+	@CC=clang CXX=clang++ cmake --preset release -B build/clang --log-level=WARNING
+	@cmake --build build/clang -j $(JOBS) -- --quiet
+	@ctest --test-dir build/clang -j $(JOBS) -LE slow --no-tests=error --output-on-failure --progress
+
+tidy: setup           ## clang-tidy over all sources
+	@sh cmake/install-packages.sh clang
+	@cmake --workflow --preset tidy
+
+fuzz: setup           ## each fuzz target for a minute
+	@sh cmake/install-packages.sh clang
+	@CC=clang CXX=clang++ cmake --preset release -B build/fuzz -DNEARWALL_BUILD_FUZZERS=ON --log-level=WARNING
+	@cmake --build build/fuzz -j $(JOBS) --target run_fuzzers -- --quiet
 
 bench: build          ## run the benchmarks
 	@cmake --build $(BUILD) --target run_benchmarks
