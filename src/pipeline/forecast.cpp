@@ -8,12 +8,12 @@ namespace nearwall {
 
 namespace {
 
-// Bytes, as measured on spheres of 20 thousand to 300 thousand triangles: docs/report.md.
+// Bytes, as measured on bodies of 20 thousand to 75 thousand triangles: docs/report.md.
 constexpr double kBytesForTriangle = 2600;  ///< surface, topology, trees, lines while they are made
 constexpr double kBytesForProgram = 60e6;   ///< libraries, buffers
-constexpr double kDiskForCell = 30;         ///< compressed connectivity and arrays
+constexpr double kDiskForCell = 16;         ///< compressed connectivity and arrays
 constexpr double kDiskForPoint = 24;        ///< three doubles, which hardly compress
-constexpr double kDiskForTriangle = 160;    ///< surface and front files
+constexpr double kDiskForTriangle = 50;     ///< surface and front files
 constexpr double kDiskForReport = 2e6;      ///< pictures and pages
 
 std::string sized(double bytes) {

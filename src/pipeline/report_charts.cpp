@@ -123,7 +123,7 @@ std::string histogram(const quality::Statistics& statistics, std::string_view un
 }
 
 std::string stacked_bar(std::span<const Share> shares) {
-  constexpr double kLeastLabelled = 9;  // percent of the width that a label needs
+  constexpr double kLeastLabelled = 18;  // percent of the width that a label needs
   std::string out = "<div class='stack'>";
   for (const Share& share : shares) {
     if (!(share.percent > 0)) continue;

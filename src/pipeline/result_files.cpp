@@ -97,8 +97,6 @@ std::vector<Picture> make_pictures(const Result& result, const std::string& name
   request.input = output.scratch(name + "-surface.vtp");
   request.edges = result.wall.surface.faces.size() <= kMostTrianglesWithEdges;
   request.colour_by = "PointKind";
-  request.range = {0, 4};
-  request.title = "0 smooth  1 ridge  2 corner  3 ridge end  4 tip";
   bool goes_on = make(name + "-surface-kinds.png", "Points of the surface by kind");
   progress.update(0.3);
   if (goes_on) {
