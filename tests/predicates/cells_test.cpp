@@ -27,7 +27,7 @@ using Wedge = std::array<Vec3, 6>;
 using Hexahedron = std::array<Vec3, 8>;
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr int kRounds = 30000;
+constexpr int kRounds = 12000;
 
 Positivity positive_if(bool holds) { return holds ? Positivity::Positive : Positivity::NotPositive; }
 
@@ -164,8 +164,23 @@ TEST_P(CellsOverAllKinds, WedgeAgreesWithIntegers) {
     ASSERT_EQ(wedge(w), positive_if(expected)) << "round " << i;
     n_positive += expected ? 1 : 0;
   }
-  EXPECT_GT(n_positive, kRounds / 100);
+  EXPECT_GT(n_positive, kRounds / 200);
   EXPECT_LT(n_positive, kRounds * 99 / 100);
+}
+
+TEST(Wedge, OfCoplanarPointsIsNotPositiveWhateverRoundingAndUnderflowSay) {
+  Points points(Kind::Uniform, 17);
+  constexpr int kMillion = 1000000;
+  for (const double scale : {1.0, 0x1p-360, 0x1p-375}) {  // products of three keep 53 bits, about 35, few
+    for (int i = 0; i < 60000; ++i) {
+      Wedge w;
+      for (Vec3& p : w) {
+        const int x = points.integer(-kMillion, kMillion), y = points.integer(-kMillion, kMillion);
+        p = scale * Vec3(x, y, x + 3 * y);
+      }
+      ASSERT_EQ(wedge(w), Positivity::NotPositive) << "round " << i << " at scale " << scale;
+    }
+  }
 }
 
 TEST_P(CellsOverAllKinds, WedgeDoesNotDependOnTheNumbering) {
@@ -229,7 +244,7 @@ TEST(Hexahedron, MayBeNegativeInsideWithPositiveCorners) {
 TEST_P(CellsOverAllKinds, HexahedronBetweenParallelPlanesAgreesWithIntegers) {
   Points points(GetParam(), 14);
   int n_positive = 0, n_undecided = 0;
-  for (int i = 0; i < kRounds / 30; ++i) {
+  for (int i = 0; i < kRounds / 40; ++i) {
     // Two random quadrilaterals in the planes z = low and z = high, the upper one often like the lower one.
     Hexahedron h = points.next_array<8>();
     const double low = points.next().z(), high = points.next().z();
@@ -248,7 +263,7 @@ TEST_P(CellsOverAllKinds, HexahedronBetweenParallelPlanesAgreesWithIntegers) {
     }
     n_positive += expected ? 1 : 0;
   }
-  EXPECT_GT(n_positive, 30);
+  EXPECT_GT(n_positive, 10);
   EXPECT_LT(n_undecided, 10);
 }
 

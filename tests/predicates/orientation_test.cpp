@@ -19,7 +19,7 @@ class OverAllKinds : public testing::TestWithParam<Kind> {};
 INSTANTIATE_TEST_SUITE_P(, OverAllKinds, testing::ValuesIn(points_for_tests::kAllKinds),
                          [](const auto& kind) { return points_for_tests::name_of(kind.param); });
 
-constexpr int kRounds = 40000;
+constexpr int kRounds = 20000;
 
 TEST(Orientation, IsPositiveOnTheSideOfTheNormal) {
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
