@@ -172,11 +172,14 @@ TEST(Wedge, OfCoplanarPointsIsNotPositiveWhateverRoundingAndUnderflowSay) {
   Points points(Kind::Uniform, 17);
   constexpr int kMillion = 1000000;
   for (const double scale : {1.0, 0x1p-360, 0x1p-375}) {  // products of three keep 53 bits, about 35, few
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < 20000; ++i) {
+      // The three upper corners are the lower ones, shifted within the plane.
+      const int shift_x = points.integer(-kMillion, kMillion), shift_y = points.integer(-kMillion, kMillion);
       Wedge w;
-      for (Vec3& p : w) {
+      for (int k = 0; k < 3; ++k) {
         const int x = points.integer(-kMillion, kMillion), y = points.integer(-kMillion, kMillion);
-        p = scale * Vec3(x, y, x + 3 * y);
+        w[k] = scale * Vec3(x, y, x + 3 * y);
+        w[3 + k] = scale * Vec3(x + shift_x, y + shift_y, x + shift_x + 3 * (y + shift_y));
       }
       ASSERT_EQ(wedge(w), Positivity::NotPositive) << "round " << i << " at scale " << scale;
     }
