@@ -15,7 +15,8 @@ namespace nearwall::search {
 ///
 /// Ours because one tree serves box, segment and nearest-point queries with answers that do not depend on the tree, and
 /// for speed: the 1,979,826 pairs among the boxes of a sphere of 327,680 triangles take CGAL 5.5's box intersection
-/// 0.60 s, with its parallel tag as well; building this tree and finding them takes a third of that on one thread.
+/// 0.60 s on one thread and with its parallel tag on two; with this tree, pairs and exact tests together take less than
+/// 0.4 s of processor time, shared by the threads.
 ///
 /// The tree is implicit: node n has the children 2n + 1 and 2n + 2, and the items of a node are halved between them.
 /// All leaves are on one level.
