@@ -4,9 +4,18 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <toml++/impl/preprocessor.h>
+
+// toml++ 3.3 assumes that a table header begins with a key before it has looked: "[=" ends a debug build and is
+// undefined in a release build. Without the assumption the parser goes on to its own check, which reports the place.
+#undef TOML_ASSERT
+#undef TOML_ASSERT_ASSUME
+#define TOML_ASSERT(expression) static_assert(true)
+#define TOML_ASSERT_ASSUME(expression) static_assert(true)
 #include <toml++/toml.h>
 
 #include "nearwall/core/errors.h"
+#include "pipeline/toml_text.h"
 
 namespace nearwall::pipeline {
 
@@ -104,6 +113,10 @@ std::vector<std::string> split_key(const std::string& key) {
 }  // namespace
 
 std::vector<Entry> read_document(const std::string& text, const std::filesystem::path& file) {
+  if (const auto stray = first_stray_character(text)) {
+    throw InputError(fmt::format("{}:{}:{}: unexpected character; what is not ASCII belongs in quotes or comments",
+                                 file.string(), stray->line, stray->column));
+  }
   toml::table document;
   try {
     document = toml::parse(text, file.string());
@@ -126,6 +139,10 @@ Entry read_override(const std::string& override_text) {
   entry.path = split_key(override_text.substr(0, equals));
   entry.key_place = entry.value_place = where;
   const std::string value = override_text.substr(equals + 1);
+  // What is no TOML is meant as plain text: file names, choices without quotes.
+  entry.value = value;
+  entry.found = fmt::format("\"{}\"", value);
+  if (first_stray_character(value)) return entry;
   try {
     const toml::table parsed = toml::parse("value = " + value);
     const toml::node& node = *parsed.get("value");
@@ -133,8 +150,7 @@ Entry read_override(const std::string& override_text) {
     entry.value = value_of(node);
     entry.found = as_text(node);
   } catch (const toml::parse_error&) {
-    entry.value = value;
-    entry.found = fmt::format("\"{}\"", value);
+    return entry;
   }
   return entry;
 }

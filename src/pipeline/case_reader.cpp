@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -252,10 +252,10 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
     throw InputError(fmt::format("{}: expected a case file, found a folder", file.string()));
   }
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || !text) throw IoError(fmt::format("{}: cannot be read", file.string()));
-  return parse_case(text.str(), file, overrides);
+  // Not `<< in.rdbuf()`, which calls an empty file a failure.
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  if (!in) throw IoError(fmt::format("{}: cannot be read", file.string()));
+  return parse_case(text, file, overrides);
 }
 
 Case read_case(const std::filesystem::path& file) { return read_case(file, {}); }

@@ -40,8 +40,8 @@ OutputDirectory::OutputDirectory(fs::path directory, std::string name, bool is_f
                       "another with -o, or --force to write there all the same",
                       directory_.string(), name_, foreign.front().filename().string()));
     }
+    fs::remove_all(aside_);  // before the folder is made, which stays behind if this throws
     is_new_ = fs::create_directories(directory_);
-    fs::remove_all(aside_);
   });
 }
 

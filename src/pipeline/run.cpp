@@ -24,6 +24,10 @@ using namespace pipeline;
 /// Cells and the space between wall and front may differ by rounding only; more than this would be a defect.
 constexpr double kLargestClosure = 1e-9;
 
+/// Thickness of the layers in diagonals of the surface beyond which a unit must be wrong. With the range that admission
+/// grants to coordinates it also keeps the volumes of cells within a double.
+constexpr double kLargestThickness = 1e6;
+
 std::uint64_t peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -66,6 +70,17 @@ Prepared prepare_or_reject(const Case& settings, OutputDirectory* output, Progre
     return prepare(settings, progress);
   } catch (const surface::SurfaceRejected& rejected) {
     reject(rejected, settings, output);
+  }
+}
+
+void check_thickness(const Case& settings, const std::vector<PatchSettings>& patches, double diagonal) {
+  for (const PatchSettings& patch : patches) {
+    const double thickness = patch.schedule.total_thickness;
+    if (thickness <= kLargestThickness * diagonal) continue;
+    throw InputError(fmt::format(
+        "{}: layers: expected a total thickness of at most {:g} diagonals of the surface, found {:.3g}, and "
+        "the diagonal is {:.3g}; check units and growth",
+        settings.file.string(), kLargestThickness, thickness, diagonal));
   }
 }
 
@@ -181,6 +196,7 @@ Report run(const Case& settings, const RunOptions& options, ProgressSink* progre
   }
   const auto patches = resolve_patches(settings, prepared.surface().patch_names.raw());
   report.forecast = forecast(prepared.surface(), patches, prepared.is_wetted);
+  check_thickness(settings, patches, report.forecast.box.diagonal());
   clock.note(describe(report.forecast));
 
   if (output) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "nearwall/core/errors.h"
+#include "tests/pipeline/scratch_folder.h"
 
 namespace nearwall {
 namespace {
@@ -37,6 +38,17 @@ std::string patch_rejection(const std::string& text, const std::vector<std::stri
     return e.what();
   }
   return "accepted";
+}
+
+TEST(ReadCase, AnswersAnEmptyFileWithWhatIsMissing) {
+  const ScratchFolder folder;
+  const auto file = folder.write("empty.toml", "");
+  try {
+    read_case(file);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("surface.file: missing"));
+  }
 }
 
 TEST(ReadCase, NeedsOnlyTheSurfaceAndTheHeights) {
@@ -207,6 +219,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ReadCase, NamesThePlaceOfWhatIsNoToml) {
   EXPECT_THAT(rejection("[surface]\nfile = wing.stl\n"), StartsWith("dir/case.toml:2:"));
   EXPECT_THAT(rejection("[surface]\nfile = \"a.stl\"\nfile = \"b.stl\"\n"), StartsWith("dir/case.toml:3:"));
+}
+
+TEST(ReadCase, NamesStrayCharactersOutsideOfQuotes) {
+  EXPECT_EQ(rejection("# m² \"\nname = 'é' # '\nscale = 1 m²\n"),
+            "dir/case.toml:3:12: unexpected character; what is not ASCII belongs in quotes or comments");
+  EXPECT_THAT(rejection("a = \"\"\"\n\\\"² \"\"\"\n²"), StartsWith("dir/case.toml:3:1: unexpected character"));
+  EXPECT_THAT(rejection("\n[= 3\n"), StartsWith("dir/case.toml:2:2: "));
 }
 
 TEST(ReadCase, WantsAFlowForYPlus) {

@@ -35,6 +35,12 @@ TEST(OutputDirectory, LeavesNothingBehindWhenGivenUp) {
   EXPECT_FALSE(fs::exists(folder / "a/b"));
 }
 
+TEST(OutputDirectory, LeavesNoFolderBehindForANameThatIsTooLong) {
+  const ScratchFolder folder;
+  EXPECT_THROW(OutputDirectory(folder / "out", std::string(300, 'x'), false), IoError);
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(OutputDirectory, ReplacesResultsOfAnEarlierRun) {
   const ScratchFolder folder;
   fs::create_directories(folder / "out/.wing-partial");

@@ -114,6 +114,18 @@ TEST(Run, FlagsCoverageUnderTheMinimum) {
   EXPECT_FALSE(run(read_case(cube.file, nolayer)).is_short_of_coverage());
 }
 
+TEST(Run, RefusesLayersAMillionTimesAsThickAsTheBody) {
+  const CubeCase cube;
+  for (const std::string height : {"1e7", "1e150", "1e300"}) {
+    const std::vector<std::string> overrides = {"layers.count=2", "layers.first_height=" + height};
+    RunOptions dry;
+    dry.dry_run = true;
+    EXPECT_THROW(run(read_case(cube.file, overrides), dry), InputError) << height;
+  }
+  const std::vector<std::string> thick = {"layers.count=2", "layers.first_height=1e5"};
+  EXPECT_TRUE(run(read_case(cube.file, thick)).certified);
+}
+
 TEST(Run, NamesTheFaultyTrianglesInAFile) {
   const CubeCase cube;
   mesh::SurfaceMesh open = shapes_for_tests::cube();
