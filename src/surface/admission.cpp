@@ -154,7 +154,7 @@ Admission inspect(mesh::SurfaceMesh surface, const AdmissionPolicy& policy) {
   using enum FaultKind;
   const bool is_manifold = !faults.has_any_of({NonManifoldEdge, NonManifoldVertex});
   const bool bounds_regions =
-      is_manifold && !faults.has_any_of({NotFinite, InconsistentOrientation, OpenEdge, SelfIntersection});
+      is_manifold && !faults.has_any_of({NotFinite, OutOfRange, InconsistentOrientation, OpenEdge, SelfIntersection});
   if (bounds_regions) check_nesting(result, policy, left_out, faults);
   if (!is_manifold) result.face_component.clear();
 

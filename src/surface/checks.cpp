@@ -18,13 +18,36 @@ Vec3 centroid(const mesh::SurfaceMesh& surface, FaceId f) {
   return (a + b + c) / 3;
 }
 
+/// Coordinates up to here, and surfaces down to the inverse, leave room in a double for the cubes of lengths (volumes)
+/// and squares of areas that layers, certificate and report are computed with.
+constexpr double kLargestCoordinate = 0x1p+210;
+
+/// What keeps a point from being computed with. \param largest  coordinate of the whole surface
+std::optional<FaultKind> coordinate_fault(const Vec3& p, double largest) {
+  if (!is_finite(p)) return FaultKind::NotFinite;
+  const bool is_speck = largest > 0 && largest < 1.0 / kLargestCoordinate;
+  if (is_speck || max_norm(p) > kLargestCoordinate) return FaultKind::OutOfRange;
+  return std::nullopt;
+}
+
+double largest_coordinate(const mesh::SurfaceMesh& surface) {
+  double largest = 0;
+  for (const Vec3& p : surface.points) {
+    if (is_finite(p)) largest = std::max(largest, max_norm(p));
+  }
+  return largest;
+}
+
 void check_coordinates(const mesh::SurfaceMesh& surface, LeftOut& left_out, FaultCollector& faults) {
+  const double largest = largest_coordinate(surface);
+  std::vector<VertexId> points;
   std::vector<std::vector<FaceId>> faces_of_point;
   IdVector<VertexId, std::size_t> number(surface.points.size(), 0);  // 1 + position in faces_of_point
   for (const FaceId f : surface.faces.ids()) {
     for (const VertexId v : surface.faces[f]) {
-      if (is_finite(surface.points[v])) continue;
+      if (!coordinate_fault(surface.points[v], largest)) continue;
       if (number[v] == 0) {
+        points.push_back(v);
         faces_of_point.emplace_back();
         number[v] = faces_of_point.size();
       }
@@ -32,15 +55,17 @@ void check_coordinates(const mesh::SurfaceMesh& surface, LeftOut& left_out, Faul
       left_out.of_geometry[f.index()] = 1;
     }
   }
-  for (const auto& faces : faces_of_point) {
-    // The point itself has no place: a finite corner of one of its triangles stands for it.
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& faces = faces_of_point[i];
     std::optional<Vec3> near;
+    if (is_finite(surface.points[points[i]])) near = surface.points[points[i]];
+    // A point without a place: a finite corner of one of its triangles stands for it.
     for (const FaceId f : faces) {
       for (const Vec3& p : surface.triangle(f)) {
         if (!near && is_finite(p)) near = p;
       }
     }
-    faults.add(FaultKind::NotFinite, near, faces);
+    faults.add(*coordinate_fault(surface.points[points[i]], largest), near, faces);
   }
 }
 

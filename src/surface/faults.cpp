@@ -15,10 +15,12 @@ struct FaultWords {
   std::string_view advice;
 };
 
-constexpr std::size_t kNKinds = 10;
+constexpr std::size_t kNKinds = 11;
 constexpr std::array<FaultWords, kNKinds> kWords = {{
     {"not-finite", "point whose coordinates are not numbers", "points whose coordinates are not numbers",
      "Export the surface again: infinite and undefined coordinates cannot be repaired."},
+    {"out-of-range", "point of a size that cannot be computed with", "points of a size that cannot be computed with",
+     "Scale the surface: sizes and coordinates from 1e-60 to 1e60 can be computed with."},
     {"degenerate-triangle", "triangle without area", "triangles without area",
      "Collapse or remesh these triangles where the surface was made; repair = \"safe\" drops those with a repeated "
      "corner."},

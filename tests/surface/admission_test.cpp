@@ -77,6 +77,26 @@ TEST(Admission, FindsPointsThatAreNotFinite) {
   for (const Vec3& p : admission.faults.front().where) EXPECT_TRUE(is_finite(p));
 }
 
+TEST(Admission, RefusesSizesWhoseVolumesDoNotFitADouble) {
+  for (const double size : {1e-310, 1e-150, 1e-100, 1e100, 1e150, 1e307}) {
+    const Admission admission = inspected(shapes::cube(size));
+    ASSERT_FALSE(admission.faults.empty()) << size;
+    EXPECT_EQ(admission.faults.front().kind, FaultKind::OutOfRange) << size;
+    EXPECT_EQ(admission.faults.front().triangles.size(), admission.surface.faces.size()) << size;
+  }
+  for (const double size : {1e-60, 1.0, 1e60}) EXPECT_TRUE(inspected(shapes::cube(size)).is_usable()) << size;
+}
+
+TEST(Admission, NamesTheOnePointThatIsTooFarOut) {
+  mesh::SurfaceMesh cube = shapes::cube();
+  cube.points[VertexId(6)] = {1e150, 0, 0};
+  const Admission admission = inspected(cube);
+  ASSERT_FALSE(admission.faults.empty());
+  EXPECT_EQ(admission.faults.front().kind, FaultKind::OutOfRange);
+  EXPECT_EQ(admission.faults.front().count, 1u);
+  EXPECT_EQ(admission.faults.front().where.front(), Vec3(1e150, 0, 0));
+}
+
 /// Cube with a point in the middle of one edge that the triangle on one side does not know: a triangle without area
 /// between the three points closes the gap.
 mesh::SurfaceMesh cube_with_flat_triangle() {
@@ -456,6 +476,7 @@ TEST(Admission, SurvivesAStarOfManyTrianglesRoundOneEdge) {
 
 TEST(FaultName, IsThatOfTheJson) {
   EXPECT_EQ(fault_name(FaultKind::NotFinite), "not-finite");
+  EXPECT_EQ(fault_name(FaultKind::OutOfRange), "out-of-range");
   EXPECT_EQ(fault_name(FaultKind::DegenerateTriangle), "degenerate-triangle");
   EXPECT_EQ(fault_name(FaultKind::DuplicateTriangle), "duplicate-triangle");
   EXPECT_EQ(fault_name(FaultKind::NonManifoldEdge), "non-manifold-edge");

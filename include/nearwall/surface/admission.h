@@ -18,6 +18,7 @@ enum class Repair { None, Safe };
 
 enum class FaultKind : std::uint8_t {
   NotFinite,
+  OutOfRange,
   DegenerateTriangle,
   DuplicateTriangle,
   NonManifoldEdge,
