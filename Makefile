@@ -2,6 +2,9 @@
 CASE ?= cases/onera-m6/case.toml
 BUILD := build/release
 JOBS ?= 2
+# Lets a compiler cache serve any clone of the project, wherever it lies.
+export CCACHE_BASEDIR := $(CURDIR)
+export CCACHE_NOHASHDIR := 1
 
 .PHONY: help setup configure program build run test test-slow sanitize clang tidy fuzz bench format format-check install clean
 

@@ -38,10 +38,7 @@ class ColumnBuffer {
 };
 
 bool is_positive(const mesh::Lines& lines, const mesh::LayerCell& cell) {
-  std::array<Vec3, 8> p;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(mesh::size_of(cell.type)); ++k) {
-    p[k] = lines.position(cell.nodes[k].line, cell.nodes[k].level);
-  }
+  const std::array<Vec3, 8> p = mesh::corners_of(lines, cell);
   const std::span<const Vec3, 8> all(p);
   switch (cell.type) {
     case CellType::Tetrahedron:

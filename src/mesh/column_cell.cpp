@@ -121,4 +121,12 @@ std::optional<LayerCell> column_cell(const Front& front, const Lines& lines, Fro
   return step.size() == 3 ? triangle_cell(step) : quad_cell(step);
 }
 
+std::array<Vec3, 8> corners_of(const Lines& lines, const LayerCell& cell) {
+  std::array<Vec3, 8> corners;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_of(cell.type)); ++k) {
+    corners[k] = lines.position(cell.nodes[k].line, cell.nodes[k].level);
+  }
+  return corners;
+}
+
 }  // namespace nearwall::mesh

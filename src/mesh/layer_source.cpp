@@ -85,14 +85,11 @@ void LayerSource::read_cells(std::size_t batch, CellBatch& out) const {
     const bool is_wall = layers_->front().is_wall(f);
     layers_->for_each_cell(f, [&](const LayerCell& cell, Level level) {
       std::array<NodeIndex, 8> nodes{};
-      std::array<Vec3, 8> corners{};
-      for (std::size_t k = 0; k < static_cast<std::size_t>(size_of(cell.type)); ++k) {
+      for (std::size_t k = 0; k < static_cast<std::size_t>(size_of(cell.type)); ++k)
         nodes[k] = layers_->node(cell.nodes[k]);
-        corners[k] = layers_->lines().position(cell.nodes[k].line, cell.nodes[k].level);
-      }
       out.type.push_back(cell.type);
       out.nodes.push_back(nodes);
-      out.corners.push_back(corners);
+      out.corners.push_back(corners_of(layers_->lines(), cell));
       out.layer.push_back(level + 1);
       out.column.push_back(is_wall ? static_cast<std::int64_t>(i) : -1);
       out.patch.push_back(is_wall ? static_cast<std::int32_t>((*face_patch_)[FaceId(i)].index()) : -1);

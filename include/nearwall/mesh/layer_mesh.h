@@ -14,6 +14,9 @@ namespace nearwall::mesh {
 /// and the top nodes and drop repeats. nullopt where three nodes or fewer are left. Source: docs/theory/columns.md.
 std::optional<LayerCell> column_cell(const Front& front, const Lines& lines, FrontFaceId face, Level level);
 
+/// Coordinates of the nodes of a cell; the first size_of(type) are set.
+std::array<Vec3, 8> corners_of(const Lines& lines, const LayerCell& cell);
+
 /// All layers: front and lines, and the numbering of nodes and cells that follows from them. Cells are derived, never
 /// stored. Memory: O(n_lines + n_front_faces). The referred front and lines must outlive it and keep their windows.
 class LayerMesh {
