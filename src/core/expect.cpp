@@ -8,9 +8,8 @@
 
 namespace nearwall::detail {
 
-void fail_expectation(std::string_view what, const std::source_location& where) {
-  throw InternalError(
-      fmt::format("{}:{} ({}): expected {}", where.file_name(), where.line(), where.function_name(), what));
+void fail_expectation(std::string_view what, const Place& where) {
+  throw InternalError(fmt::format("{}:{} ({}): expected {}", where.file, where.line, where.function, what));
 }
 
 }  // namespace nearwall::detail

@@ -9,7 +9,8 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cros
 double corner_angle(const Vec3& apex, const Vec3& b, const Vec3& c) { return angle_between(b - apex, c - apex); }
 
 double edge_turn(const Vec3& left, const Vec3& right, const Vec3& along) {
-  // On a box, top left and side right of an edge: the normal turns from left to right about it, (left x right) . along > 0.
+  // On a box, top left and side right of an edge: the normal turns from left to right about it, (left x right) . along
+  // > 0.
   const double size = angle_between(left, right);
   return dot(cross(left, right), along) < 0 ? -size : size;
 }

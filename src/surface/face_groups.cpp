@@ -49,7 +49,7 @@ SortedFace sorted_face(Corners corners, FaceId f) {
 
 /// Whether the face runs from its smallest to its middle to its largest corner.
 bool runs_upwards(Corners corners) {
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners[1] < corners[2];
 }
 

@@ -119,8 +119,7 @@ std::vector<Fault> FaultCollector::faults(double closing_tolerance) const {
   for (const auto& [key, found] : by_kind_and_patch_) {
     Fault fault = found;
     std::ranges::sort(fault.triangles);
-    const auto repeated = std::ranges::unique(fault.triangles);
-    fault.triangles.erase(repeated.begin(), repeated.end());
+    fault.triangles.erase(std::unique(fault.triangles.begin(), fault.triangles.end()), fault.triangles.end());
     fault.advice = advice_for(fault.kind, closing_tolerance);
     faults.push_back(std::move(fault));
   }

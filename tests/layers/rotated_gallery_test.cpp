@@ -43,8 +43,8 @@ TEST_P(RotatedGallery, IsCertified) {
     const TestWall wall(shapes_for_tests::mapped(upright, [&](const Vec3& p) { return rotate(p) * scale; }),
                         shape.fluid_is_inside);
     for (const gallery::Schedule& schedule : gallery::schedules()) {
-      const auto growth = layers::grow(
-          wall.wall(), options_for(wall.surface(), schedule.heights(gallery::diagonal(wall.surface()))));
+      const auto growth =
+          layers::grow(wall.wall(), options_for(wall.surface(), schedule.heights(gallery::diagonal(wall.surface()))));
       const mesh::LayerMesh layers(growth.front, growth.lines);
       const auto certificate = certify::certify_layers(layers, wall.certified_wall());
       EXPECT_TRUE(certificate.is_valid()) << schedule.name << " at scale " << scale;

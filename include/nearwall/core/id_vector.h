@@ -1,10 +1,49 @@
 #pragma once
 
-#include <ranges>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 namespace nearwall {
+
+/// The ids 0 … n − 1.
+template <class IdType>
+class IdRange {
+ public:
+  class Iterator {
+   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = IdType;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const IdType*;
+    using reference = IdType;
+
+    Iterator() = default;
+    explicit Iterator(std::size_t index) : index_(index) {}
+    IdType operator*() const { return IdType(index_); }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++index_;
+      return before;
+    }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    std::size_t index_ = 0;
+  };
+
+  explicit IdRange(std::size_t n) : n_(n) {}
+  Iterator begin() const { return Iterator(0); }
+  Iterator end() const { return Iterator(n_); }
+
+ private:
+  std::size_t n_;
+};
 
 /// A vector that is indexed by one kind of id only.
 template <class IdType, class T>
@@ -43,10 +82,7 @@ class IdVector {
   const Storage& raw() const { return data_; }
 
   /// All ids, in order.
-  auto ids() const {
-    return std::views::iota(std::size_t{0}, data_.size()) |
-           std::views::transform([](std::size_t i) { return IdType(i); });
-  }
+  IdRange<IdType> ids() const { return IdRange<IdType>(data_.size()); }
 
   friend bool operator==(const IdVector&, const IdVector&) = default;
 
