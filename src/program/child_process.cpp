@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "program/exit_codes.h"
 
 extern char** environ;
 
@@ -86,8 +87,13 @@ void ChildProcess::interrupt() const {
 
 ChildEnd ChildProcess::end() const {
   ChildEnd end;
+  end.exit_code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
   if (WIFSIGNALED(status_)) end.signal = WTERMSIG(status_);
-  end.exit_code = WEXITSTATUS(status_);
+  if (end.signal == SIGINT) {
+    // The interrupt came before the child could take it in hand: it stopped all the same.
+    end.signal = 0;
+    end.exit_code = static_cast<int>(ExitCode::Interrupted);
+  }
   end.output = content_of(output_);
   end.talk = content_of(talk_);
   return end;
