@@ -1,6 +1,11 @@
 #include "pipeline/output_directory.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 
 #include <fmt/format.h>
 
@@ -40,15 +45,37 @@ OutputDirectory::OutputDirectory(fs::path directory, std::string name, bool is_f
                       "another with -o, or --force to write there all the same",
                       directory_.string(), name_, foreign.front().filename().string()));
     }
-    fs::remove_all(aside_);  // before the folder is made, which stays behind if this throws
     is_new_ = fs::create_directories(directory_);
+    try {
+      lock();
+      fs::remove_all(aside_);
+    } catch (...) {
+      give_back();
+      throw;
+    }
   });
 }
 
 OutputDirectory::~OutputDirectory() {
   std::error_code ignored;
   fs::remove_all(aside_, ignored);
+  give_back();
+}
+
+void OutputDirectory::give_back() {
+  std::error_code ignored;
   if (is_new_) fs::remove(directory_, ignored);  // only if it is empty
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputDirectory::lock() {
+  descriptor_ = ::open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // File systems without locks say so with other errors; there, runs have to be kept apart by their user.
+  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  is_new_ = false;  // it belongs to the other run
+  throw InputError(
+      fmt::format("output directory {}: another run is writing there; wait for its end, or give another with -o",
+                  directory_.string()));
 }
 
 bool OutputDirectory::is_result(const std::string& file) const {
@@ -82,12 +109,14 @@ fs::path OutputDirectory::scratch(const std::string& file) {
 
 std::vector<std::string> OutputDirectory::publish() {
   on_disk(directory_, [&] {
+    for (const std::string& file : files_) {
+      if (!fs::exists(aside_ / file)) throw IoError(fmt::format("{}: has vanished", (aside_ / file).string()));
+    }
     // Earlier results go first: at no time do files of two runs stand side by side.
     for (const auto& entry : fs::directory_iterator(directory_)) {
       const std::string file = entry.path().filename().string();
       if (is_result(file) && file != aside_.filename()) fs::remove(entry.path());
     }
-    std::erase_if(files_, [&](const std::string& file) { return !fs::exists(aside_ / file); });
     for (const std::string& file : files_) fs::rename(aside_ / file, directory_ / file);
     fs::remove_all(aside_);
   });

@@ -13,7 +13,8 @@ class OutputDirectory {
   /// Makes the folder if it is not there.
   /// \param name      of the case: its results are NAME.*, NAME-*, report.json and report.html
   /// \param is_forced write even where the folder holds other things
-  /// \throws InputError  if the folder holds anything but results of this case; IoError
+  /// \throws InputError  if the folder holds anything but results of this case, or another run is writing to it;
+  /// IoError
   OutputDirectory(std::filesystem::path directory, std::string name, bool is_forced);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;
@@ -38,11 +39,17 @@ class OutputDirectory {
   std::vector<std::filesystem::path> foreign_files() const;
   bool is_result(const std::string& file) const;
 
+  /// Removes the folder if it was made here and is empty, and lets other runs in.
+  void give_back();
+  /// Keeps other runs out until the end of this object or process.
+  void lock();
+
   std::filesystem::path directory_;
   std::string name_;
   std::filesystem::path aside_;
   std::vector<std::string> files_;
   bool is_new_ = false;
+  int descriptor_ = -1;  ///< of the folder, which it locks
 };
 
 }  // namespace nearwall::pipeline

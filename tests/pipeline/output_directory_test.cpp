@@ -41,6 +41,30 @@ TEST(OutputDirectory, LeavesNoFolderBehindForANameThatIsTooLong) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+TEST(OutputDirectory, IsWrittenByOneRunAtATime) {
+  const ScratchFolder folder;
+  {
+    OutputDirectory first(folder / "out", "wing", false);
+    write(first.aside("wing.vtu"), "first");
+    EXPECT_THROW(OutputDirectory(folder / "out", "wing", false), InputError);
+    EXPECT_THROW(OutputDirectory(folder / "out", "wing", true), InputError);
+    first.publish();
+  }
+  EXPECT_EQ(folder.read("out/wing.vtu"), "first");
+  EXPECT_NO_THROW(OutputDirectory(folder / "out", "wing", false));
+}
+
+TEST(OutputDirectory, KeepsEarlierResultsIfAFileVanished) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "out");
+  folder.write("out/wing.vtu", "old");
+  OutputDirectory output(folder / "out", "wing", false);
+  write(output.aside("wing.vtu"), "new");
+  fs::remove_all(folder / "out/.wing-partial");
+  EXPECT_THROW(output.publish(), IoError);
+  EXPECT_EQ(folder.read("out/wing.vtu"), "old");
+}
+
 TEST(OutputDirectory, ReplacesResultsOfAnEarlierRun) {
   const ScratchFolder folder;
   fs::create_directories(folder / "out/.wing-partial");
