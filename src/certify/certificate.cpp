@@ -1,5 +1,7 @@
 #include "nearwall/certify/certificate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "nearwall/core/parallel.h"
@@ -45,15 +47,22 @@ double sum_of_cells(const mesh::LayerMesh& layers) {
   return total.value();
 }
 
-/// Adds six times the volume of the cone over a triangle about `centre`.
-void add_cone(geometry::CompensatedSum& sum, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& centre) {
-  sum.add(dot(cross(a - centre, b - centre), c - centre));
-}
+/// Volume within triangles, as the sum of the cones over them about a centre.
+struct Cones {
+  geometry::CompensatedSum six_volumes;
+  geometry::CompensatedSum sizes;  ///< of the same terms: what their rounding is in proportion to
+
+  void add(const std::array<Vec3, 3>& t, const Vec3& centre) {
+    const double six_volume = dot(cross(t[0] - centre, t[1] - centre), t[2] - centre);
+    six_volumes.add(six_volume);
+    sizes.add(std::abs(six_volume));
+  }
+};
 
 }  // namespace
 
 double Certificate::closure() const {
-  return front_volume > 0 ? std::abs(cells_volume - enclosed_volume) / front_volume : 0;
+  return summed_volume > 0 ? std::abs(cells_volume - enclosed_volume) / summed_volume : 0;
 }
 
 Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& wall, ProgressSink& progress) {
@@ -72,17 +81,17 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
   progress.update(0.8);
 
   const Vec3 centre = geometry::bounding_box(wall.surface.points.raw()).centre();
-  geometry::CompensatedSum of_front, of_wall;
+  Cones of_front, of_wall;
   for (const FaceId f : wall.surface.faces.ids()) {
     if (!wall.face_component[f].is_valid()) continue;
     const auto& corners = front.triangles[f.index()];
-    add_cone(of_front, front.points[corners[0]], front.points[corners[1]], front.points[corners[2]], centre);
-    const auto t = wall.surface.triangle(f);
-    add_cone(of_wall, t[0], t[1], t[2], centre);
+    of_front.add({front.points[corners[0]], front.points[corners[1]], front.points[corners[2]]}, centre);
+    of_wall.add(wall.surface.triangle(f), centre);
   }
   result.cells_volume = sum_of_cells(layers);
-  result.enclosed_volume = (of_front.value() - of_wall.value()) / 6;
-  result.front_volume = std::abs(of_front.value()) / 6;
+  result.enclosed_volume = (of_front.six_volumes.value() - of_wall.six_volumes.value()) / 6;
+  result.front_volume = std::abs(of_front.six_volumes.value()) / 6;
+  result.summed_volume = std::max(of_front.sizes.value(), of_wall.sizes.value()) / 6;
   progress.update(1.0);
   progress.end_stage();
   return result;

@@ -57,6 +57,17 @@ TEST(Certificate, HoldsForTheShellOfASphereWithItsVolume) {
   EXPECT_NEAR(c.front_volume, 1.3 * 1.3 * 1.3 * wall_volume, 1e-12);
 }
 
+TEST(Certificate, ClosesUpToRoundingInAGapABillionthAsWideAsItsWalls) {
+  const double gap = 1e-9;
+  Layers layers(joined(flipped(sphere(2)), sphere(2, 1 - gap)), {0, gap / 8, gap / 4});
+  const std::size_t n_outer = layers.wall.points.size() / 2;
+  layers.point_lines([&](const Vec3& p, std::size_t i) { return i < n_outer ? -p : p; });
+  const Certificate c = layers.certify(true);
+  EXPECT_TRUE(c.is_valid());
+  EXPECT_LT(c.front_volume, 20 * gap);
+  EXPECT_LT(c.closure(), 1e-14);
+}
+
 TEST(Certificate, NamesTheColumnsOfALineThatPointsIntoTheBody) {
   Layers layers(sphere(2), {0, 0.05, 0.1});
   layers.point_lines([](const Vec3& p, std::size_t i) { return i == 5 ? -p : p; });
