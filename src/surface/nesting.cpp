@@ -85,7 +85,12 @@ class RayTree {
 /// End of a ray that leaves the surface's bounds on the side of +x, a little askew, another way at each attempt.
 Vec3 ray_end(const Vec3& from, const Box& bounds, int attempt) {
   constexpr double kLean = 1.0 / 1024;  // small, so that few boxes lie near the ray
-  const double size = max_norm(bounds.high - bounds.low);
+  // Few boxes lie near a short ray; but where a small surface is far from the origin, rounding takes its lean away, and
+  // all attempts would be the same.
+  constexpr int kShortAttempts = 8;
+  const double extent = max_norm(bounds.high - bounds.low);
+  const double size =
+      attempt < kShortAttempts ? extent : std::max({extent, max_norm(bounds.low), max_norm(bounds.high)});
   const double lean_y = kLean * size * (0.5 + 0.5 / (1.0 + attempt));
   const double lean_z = kLean * size * (0.5 - 0.25 / (2.0 + attempt));
   return {bounds.high.x() + size, from.y() + lean_y, from.z() + lean_z};

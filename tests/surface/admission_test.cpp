@@ -354,6 +354,17 @@ TEST(Nesting, DoesNotTakeABodyInANotchForOneInside) {
   EXPECT_EQ(admission.components[ComponentId(1)].depth, 0);
 }
 
+TEST(Nesting, IsFoundForSpecksFarFromTheOrigin) {
+  // A few units in the last place across, and every ray along an axis meets an edge.
+  const double unit = 0x1p-33;
+  const mesh::SurfaceMesh shell = shapes::joined(shapes::scaled(shapes::octahedron(), 8 * unit),
+                                                 shapes::flipped(shapes::scaled(shapes::octahedron(), 4 * unit)));
+  const Admission admission = inspected(shapes::translated(shell, {0x1p+19, 0x1p+19, 0x1p+19}));
+  ASSERT_TRUE(admission.is_usable());
+  EXPECT_EQ(admission.components[ComponentId(0)].depth, 0);
+  EXPECT_EQ(admission.components[ComponentId(1)].depth, 1);
+}
+
 TEST(Nesting, IsTheSameAtEveryScaleAndWithAxesPermuted) {
   for (const double scale : {0x1p-200, 0x1p-20, 1.0, 0x1p+200}) {
     const auto map = [&](const Vec3& p) { return Vec3(p.z(), p.x(), p.y()) * scale; };
