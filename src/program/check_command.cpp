@@ -15,6 +15,7 @@
 #include "nearwall/surface/normals.h"
 #include "program/cli.h"
 #include "program/loaded_surface.h"
+#include "program/surface_files.h"
 #include "program/table.h"
 
 namespace nearwall::program {
@@ -145,6 +146,7 @@ std::string faults(const Admission& admission) {
 }
 
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
+  if (arguments.output) demand_vtp("--output", *arguments.output);
   const LoadedSurface loaded = load_surface(arguments.file, arguments.weld, console);
   surface::AdmissionPolicy policy;
   policy.fluid = arguments.fluid == "inside" ? surface::FluidSide::Inside : surface::FluidSide::Outside;
@@ -184,7 +186,7 @@ void add_check_command(CommandLine& line) {
       ->capture_default_str();
   app.add_option("--weld", arguments->weld, "distance within which points become one [length]; 0: equal points only")
       ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative())
       ->capture_default_str();
   app.add_option("--ridge-angle", arguments->ridge_angle_deg, "turn from which an edge is a ridge [deg]")
       ->type_name("DEG")

@@ -1,6 +1,8 @@
 #include "program/cli.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -117,6 +119,17 @@ Invocation CommandLine::parse(int argc, const char* const* argv) {
     invocation_.text = overview();
   }
   return invocation_;
+}
+
+CLI::Validator non_negative() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+        return is_number && value >= 0 ? std::string() : fmt::format("expected a number of at least 0, found {}", text);
+      },
+      "");
 }
 
 Manner manner_of(int argc, const char* const* argv) {

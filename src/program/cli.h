@@ -52,6 +52,9 @@ class CommandLine {
   bool wants_version_ = false;
 };
 
+/// Refuses all but finite numbers of at least 0, in words that name neither the largest double nor its 309 digits.
+CLI::Validator non_negative();
+
 // Each in its own file, NAME_command.cpp.
 void add_run_command(CommandLine& line);
 void add_batch_command(CommandLine& line);

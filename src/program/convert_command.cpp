@@ -48,7 +48,7 @@ void add_convert_command(CommandLine& line) {
   app.add_option("--weld", arguments->weld,
                  "make points within this distance one [length]; 0: equal points; without it: none")
       ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative());
 }
 
 }  // namespace nearwall::program

@@ -14,6 +14,7 @@
 #include "nearwall/surface/normals.h"
 #include "program/cli.h"
 #include "program/loaded_surface.h"
+#include "program/surface_files.h"
 #include "program/table.h"
 
 namespace nearwall::program {
@@ -96,6 +97,7 @@ io::PolyDataFile with_normals(const mesh::SurfaceMesh& mesh, const mesh::Topolog
 }
 
 ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
+  demand_vtp("--output", arguments.output);
   const surface::NormalMethod method = method_of(arguments.method);
   const LoadedSurface loaded = load_surface(arguments.file, arguments.weld, console);
   const mesh::Topology topology(loaded.mesh);
@@ -136,7 +138,7 @@ void add_normals_command(CommandLine& line) {
       ->capture_default_str();
   app.add_option("--weld", arguments->weld, "distance within which points become one [length]; 0: equal points only")
       ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative())
       ->capture_default_str();
   app.add_option("--ridge-angle", arguments->ridge_angle_deg, "turn from which an edge is a ridge [deg]")
       ->type_name("DEG")

@@ -106,7 +106,7 @@ void add_shape(CommandLine& line, CLI::App& parent, const ShapeInfo& shape) {
       ->required();
   app.add_option("--size", arguments->size, "edge length of the triangles; 0: one that suits the shape")
       ->type_name("H")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative());
   for (const ShapeParameter& p : shape.parameters) add_parameter(app, p, *arguments);
 }
 

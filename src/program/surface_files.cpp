@@ -36,6 +36,11 @@ bool is_surface_file(const fs::path& path) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
+void demand_vtp(const std::string& option, const fs::path& path) {
+  if (lower_case(path.extension().string()) == ".vtp") return;
+  throw InputError(fmt::format("{} {}: expected a name that ends in .vtp", option, path.string()));
+}
+
 bool is_case_file(const fs::path& path) {
   if (lower_case(path.extension().string()) != ".toml") return false;
   static const std::regex format_key(R"(^\s*format\s*=.*)");

@@ -106,6 +106,32 @@ TEST(NormalsCommand, WritesNormalsOfClosedAndOpenSurfaces) {
   }
 }
 
+TEST(NormalsCommand, WritesOverNoSurfaceOfAnotherFormat) {
+  Workplace place;
+  place.write_cube("cube.obj");
+  const std::string before = place.read("cube.obj");
+  for (const char* name : {"cube.obj", "normals.stl", "normals"}) {
+    const Outcome outcome = place.run({"normals", "cube.obj", "-o", name});
+    EXPECT_EQ(outcome.exit_code, 2) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("ends in .vtp"));
+  }
+  EXPECT_EQ(place.read("cube.obj"), before);
+  place.write_open_cube("open.obj");
+  EXPECT_EQ(place.run({"check", "open.obj", "-o", "open.obj"}).exit_code, 2);
+}
+
+TEST(Lengths, AreFiniteAndNotNegativeAndTheAnswerIsShort) {
+  Workplace place;
+  place.write_cube("cube.obj");
+  for (const char* length : {"-1", "nan", "inf", "1e400", "1m", ""}) {
+    const Outcome outcome = place.run({"check", "cube.obj", "--weld", length});
+    EXPECT_EQ(outcome.exit_code, 2) << length;
+    EXPECT_THAT(outcome.err, HasSubstr("expected a number of at least 0"));
+    EXPECT_LT(outcome.err.size(), 200u);
+  }
+  EXPECT_EQ(place.run({"check", "cube.obj", "--weld", "1e-9"}).exit_code, 0);
+}
+
 TEST(NormalsCommand, KnowsMethodsOfLaterVersions) {
   Workplace place;
   place.write_cube("cube.obj");
