@@ -55,8 +55,17 @@ std::string last_line(const std::string& text) {
                      end - (begin == std::string::npos ? 0 : begin + 1) + 1);
 }
 
+/// The first line, with the next where it only announces that: "the surface cannot be used: 3 open edges near …".
+std::string headline(const std::string& text) {
+  const std::size_t end = text.find('\n');
+  const std::string line = text.substr(0, end);
+  if (end == std::string::npos || !line.ends_with(':')) return line;
+  const std::size_t begin = text.find_first_not_of(" \n", end);
+  return begin == std::string::npos ? line : line + " " + text.substr(begin, text.find('\n', begin) - begin);
+}
+
 std::string shortened(const std::string& text) {
-  std::string line = text.substr(0, text.find('\n'));
+  std::string line = headline(text);
   if (line.size() <= kLongestMessage) return line;
   std::size_t cut = kLongestMessage;
   while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xC0u) == 0x80u) --cut;  // between characters of UTF-8

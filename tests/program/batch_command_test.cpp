@@ -62,6 +62,7 @@ TEST(BatchCommand, PrintsATableInTheOrderOfTheCases) {
   EXPECT_LT(good, open);
   EXPECT_LT(open, wrong);
   EXPECT_THAT(outcome.out, HasSubstr("1 of 3 certified, 2 failed"));
+  EXPECT_THAT(outcome.out, HasSubstr("the surface cannot be used: 3 open edges"));
 }
 
 TEST(BatchCommand, ExitsWith0IfAllAreDone) {
