@@ -112,6 +112,20 @@ TEST(Grow, KeepsASmallBodyOutOfTheLayersOfALargeOne) {
   EXPECT_GT(layers.n_cells(), 0u);
 }
 
+TEST(Grow, LosesLayersAtAHairGapOnly) {
+  const auto cubes = shapes_for_tests::joined(shapes_for_tests::cube(), shapes_for_tests::cube(0.5, {1 + 1e-12, 0, 0}));
+  const TestWall wall(cubes);
+  const Growth growth = grow(wall.wall(), options_for(cubes, geometric(0.01, 1.2, 10)));
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
+  for (const VertexId v : cubes.points.ids()) {
+    const double x = cubes.points[v].x();
+    const bool at_the_gap = x > 0.4 && x < 0.6;
+    EXPECT_EQ(growth.lines.windows[LineId(v.index())].moves(), !at_the_gap);
+    EXPECT_EQ(growth.reason[LineId(v.index())], at_the_gap ? LimitReason::Gap : LimitReason::None);
+  }
+}
+
 TEST(Grow, GivesEachPatchItsOwnNumberOfLayers) {
   const mesh::SurfaceMesh box = gallery::catalogued("box", {}, 0.1);
   const TestWall wall(box);

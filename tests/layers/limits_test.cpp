@@ -65,6 +65,23 @@ TEST(LimitByGaps, SharesAGapFairly) {
   EXPECT_GE(n_limited, 2u * 9u) << "the inner vertices of the two faces that look at each other";
 }
 
+TEST(LimitByGaps, SeesWhatTheFacesOfACornerLookAt) {
+  // Corner lines of two aligned cubes run along the diagonal, past the other cube.
+  Asked a(shapes_for_tests::joined(shapes_for_tests::cube(), shapes_for_tests::cube(0.5, {1.001, 0, 0})), 0.3);
+  limit_by_gaps(a.wall.wall(), a.field);
+  for (const VertexId v : a.wall.surface().points.ids()) {
+    const double x = a.wall.surface().points[v].x();
+    const bool at_the_gap = x > 0.4 && x < 0.6;
+    EXPECT_NEAR(a.field.thickness[v], at_the_gap ? 0.45 * 0.001 : 0.3, 1e-12);
+  }
+}
+
+TEST(LimitByGaps, TakesNoNoticeOfTheWallBesideAConcaveCorner) {
+  Asked a(gallery::catalogued("block-on-floor", {}, 0.25), 0.05);
+  limit_by_gaps(a.wall.wall(), a.field);
+  for (const VertexId v : a.wall.surface().points.ids()) EXPECT_EQ(a.field.reason[v], mesh::LimitReason::None);
+}
+
 TEST(Grade, BoundsTheSlopeOfTheThicknessEverywhere) {
   const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
   Asked a(sphere, 0.8);
