@@ -4,26 +4,11 @@
 #include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/box.h"
-#include "nearwall/geometry/measures.h"
+#include "nearwall/predicates/volume.h"
 #include "nearwall/search/self_intersection.h"
 #include "nearwall/search/winding.h"
 
 namespace nearwall::certify {
-
-namespace {
-
-/// Volume enclosed by some triangles of a closed surface, by the divergence theorem about `centre`.
-double enclosed_by(const FrontSurface& front, std::span<const std::uint32_t> triangles, const Vec3& centre) {
-  geometry::CompensatedSum sum;
-  for (const std::uint32_t t : triangles) {
-    const auto& corners = front.triangles[t];
-    const Vec3 a = front.points[corners[0]] - centre, b = front.points[corners[1]] - centre;
-    sum.add(dot(cross(a, b), front.points[corners[2]] - centre));
-  }
-  return sum.value() / 6;
-}
-
-}  // namespace
 
 FrontSurface front_surface(const mesh::Front& front, const mesh::Lines& lines) {
   FrontSurface surface;
@@ -85,7 +70,11 @@ std::vector<ComponentId> covered_twice(const FrontSurface& front, const IdVector
     }
     int covered = fluid_is_inside ? 1 : 0;
     if (any) covered += search::winding_number({front.points, front.triangles}, point, counts);
-    const bool is_body = enclosed_by(front, members[c], boxes[c].centre()) > 0;
+    const auto triangle = [&](std::size_t i) {
+      const auto [p, q, r] = front.triangles[members[c][i]];
+      return predicates::Triangle{front.points[p], front.points[q], front.points[r]};
+    };
+    const bool is_body = predicates::enclosed_volume(members[c].size(), triangle).sign == predicates::Sign::Positive;
     if (covered != (is_body ? 0 : 1)) wrong.push_back(ComponentId(c));
   }
   return wrong;

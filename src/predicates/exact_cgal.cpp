@@ -72,4 +72,15 @@ Positivity hexahedron(std::span<const Vec3, 8> p) {
   return to_positivity(hexahedron_verdict<Exact>(p));
 }
 
+Sign enclosed_volume(std::size_t n_triangles, const std::function<Triangle(std::size_t)>& triangle) {
+  Exact six_volumes = 0;
+  for (std::size_t i = 0; i < n_triangles; ++i) {
+    const auto [a, b, c] = triangle(i);
+    require_finite({a, b, c});
+    const Vector<Exact> normal = cross(as_vector<Exact>(b), as_vector<Exact>(c));
+    six_volumes = six_volumes + predicates::dot(as_vector<Exact>(a), normal);
+  }
+  return sign_of(six_volumes);
+}
+
 }  // namespace nearwall::predicates::exact

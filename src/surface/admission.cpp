@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nearwall/core/expect.h"
+#include "nearwall/predicates/volume.h"
 #include "nearwall/surface/weld.h"
 #include "surface/checks.h"
 #include "surface/closing.h"
@@ -97,7 +98,9 @@ void check_nesting(Admission& result, const AdmissionPolicy& policy, const LeftO
   std::size_t n_turned = 0;
   for (const ComponentId c : result.components.ids()) {
     Component& component = result.components[c];
-    const predicates::Sign sign = volume_sign(result.surface, faces[c], component.volume);
+    const auto triangle = [&](std::size_t i) { return result.surface.triangle(faces[c][i]); };
+    const auto [sign, volume] = predicates::enclosed_volume(faces[c].size(), triangle);
+    component.volume = volume;
     component.is_wetted = component.depth <= deepest_wetted;
     const auto expected = component.depth % 2 == 0 ? predicates::Sign::Positive : predicates::Sign::Negative;
     // Only what was refused already encloses nothing: copies back to back, triangles without area.

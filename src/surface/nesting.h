@@ -2,24 +2,16 @@
 
 #include <span>
 
-#include "nearwall/predicates/orientation.h"
 #include "nearwall/surface/admission.h"
 
 namespace nearwall::surface {
 
 /// Depth of each component among the others, for a surface whose components are closed and embedded. Exact: a ray from
-/// one point of each component, its crossings with every other component counted. \param is_flat     (n_faces)
-/// triangles that do not count: those without area, and copies \param components  the depths are filled in Cost: O(n
-/// log n + crossings)
+/// one point of each component, its crossings with every other component counted.
+/// \param is_flat     (n_faces) triangles that do not count: those without area, and copies
+/// \param components  the depths are filled in
+/// Cost: O(n log n + crossings)
 void find_nesting(const mesh::SurfaceMesh& surface, const IdVector<FaceId, ComponentId>& face_component,
                   std::span<const char> is_flat, IdVector<ComponentId, Component>& components);
-
-/// Exact sign of the volume within the closed surface of these triangles: positive if their normals point outward.
-/// Doubles with an error bound first, rationals where that does not decide.
-/// \param volume  the volume in doubles
-predicates::Sign volume_sign(const mesh::SurfaceMesh& surface, std::span<const FaceId> faces, double& volume);
-
-/// The same in rationals alone.
-predicates::Sign exact_volume_sign(const mesh::SurfaceMesh& surface, std::span<const FaceId> faces);
 
 }  // namespace nearwall::surface

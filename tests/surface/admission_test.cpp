@@ -11,7 +11,6 @@
 
 #include "nearwall/predicates/intersection.h"
 #include "nearwall/surface/weld.h"
-#include "surface/nesting.h"
 #include "tests/support/shapes.h"
 
 namespace nearwall::surface {
@@ -371,27 +370,6 @@ TEST(Nesting, IsTheSameAtEveryScaleAndWithAxesPermuted) {
     const Admission admission = inspected(shapes::mapped(three_deep(), map), Repair::None, FluidSide::Inside);
     ASSERT_TRUE(admission.is_usable()) << scale;
     EXPECT_EQ(admission.components[ComponentId(0)].depth, 2);
-  }
-}
-
-TEST(VolumeSign, AgreesWithRationalsOnPlatesAThousandthOfARoundingThick) {
-  // Four points at the corners of a slanted square, two of them moved by one unit in the last place: the volume of the
-  // tetrahedron is far below the rounding of its terms about a distant origin.
-  mesh::SurfaceMesh thin =
-      shapes::make_surface({{0.1, 0.2, 0.3}, {1.1, 0.3, 0.7}, {1.2, 1.3, 0.9}, {0.2, 1.2, std::nextafter(0.5, 1.0)}},
-                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-  for (int i = 0; i < 2; ++i) {
-    std::vector<FaceId> faces(4);
-    for (std::size_t f = 0; f < 4; ++f) faces[f] = FaceId(f);
-    double volume = 0;
-    const predicates::Sign sign = volume_sign(thin, faces, volume);
-    EXPECT_LT(std::abs(volume), 1e-15);
-    EXPECT_EQ(sign, exact_volume_sign(thin, faces));
-    const auto& p = thin.points.raw();
-    const predicates::Sign side = predicates::orientation(p[0], p[1], p[2], p[3]);
-    EXPECT_NE(side, predicates::Sign::Zero);
-    EXPECT_EQ(sign, i == 0 ? side : predicates::Sign{-static_cast<int>(side)});
-    thin = shapes::flipped(thin);
   }
 }
 
