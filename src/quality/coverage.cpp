@@ -118,7 +118,10 @@ IdVector<FaceId, FaceCoverage> face_coverage(const mesh::LayerMesh& layers, cons
   IdVector<FaceId, FaceCoverage> faces(wall.faces.size());
   parallel_for(faces.size(), [&](std::size_t i) {
     const PatchRequest& request = requests[wall.face_patch[FaceId(i)]];
-    if (request.has_layers) faces[FaceId(i)] = cover(layers, wall, FaceId(i), request, outcome);
+    const auto& lines = layers.front().faces[FrontFaceId(i)].lines;
+    const bool is_asked =
+        std::any_of(lines.begin(), lines.begin() + 3, [&](LineId line) { return outcome.asked_thickness[line] > 0; });
+    if (request.has_layers && is_asked) faces[FaceId(i)] = cover(layers, wall, FaceId(i), request, outcome);
   });
   return faces;
 }

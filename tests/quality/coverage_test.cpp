@@ -99,6 +99,21 @@ TEST(Coverage, LeavesOutWhatTheFluidCannotReach) {
   EXPECT_EQ(c.full_percent, 100);
 }
 
+TEST(Coverage, GivesNoReasonWhereNothingIsAsked) {
+  PlateLayers plate;
+  for (std::size_t i = 0; i < 4; ++i) {
+    plate.limit(i, 0, LimitReason::None);
+    plate.asked_levels[LineId(i)] = 0;
+    plate.asked_thickness[LineId(i)] = 0;
+  }
+  const mesh::LayerMesh layers(plate.front, plate.lines);
+  const LineOutcome outcome{plate.asked_thickness, plate.reached_thickness, plate.asked_levels, plate.reason};
+  for (const FaceCoverage& face : face_coverage(layers, plate.wall, requests(), outcome)) {
+    EXPECT_EQ(face.reason, LimitReason::None);
+    EXPECT_FALSE(face.has_any || face.has_all_layers || face.is_full);
+  }
+}
+
 TEST(Coverage, OfAPatchWithoutLayersIsItsArea) {
   const PlateLayers p;
   const IdVector<PatchId, PatchRequest> none(1, PatchRequest{false, 0, 0, 0});

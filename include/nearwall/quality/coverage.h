@@ -57,7 +57,7 @@ struct PatchCoverage {
       limit_percent{};  ///< by LimitReason, of triangles that are not full; None: 0
 };
 
-/// \returns (n_wall_faces); default entries where nothing is asked
+/// \returns (n_wall_faces); default entries where nothing is asked: no layers, and no reason
 /// Cost: O(n_wall_faces), on all threads.
 IdVector<FaceId, FaceCoverage> face_coverage(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
                                              const IdVector<PatchId, PatchRequest>& requests,
