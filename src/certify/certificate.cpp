@@ -12,33 +12,16 @@ namespace nearwall::certify {
 
 namespace {
 
-using mesh::CellType;
-
 constexpr std::size_t kColumnsInBlock = 1024;
-
-double volume(const mesh::Lines& lines, const mesh::LayerCell& cell) {
-  const std::array<Vec3, 8> p = mesh::corners_of(lines, cell);
-  const std::span<const Vec3, 8> all(p);
-  switch (cell.type) {
-    case CellType::Tetrahedron:
-      return geometry::tetrahedron_volume(all.first<4>());
-    case CellType::Pyramid:
-      return geometry::pyramid_volume(all.first<5>());
-    case CellType::Wedge:
-      return geometry::wedge_volume(all.first<6>());
-    case CellType::Hexahedron:
-      return geometry::hexahedron_volume(all);
-  }
-  return 0;
-}
 
 double sum_of_cells(const mesh::LayerMesh& layers) {
   std::vector<double> by_block((layers.n_columns() + kColumnsInBlock - 1) / kColumnsInBlock);
   parallel_blocks(layers.n_columns(), kColumnsInBlock, [&](std::size_t begin, std::size_t end) {
     geometry::CompensatedSum sum;
     for (std::size_t f = begin; f < end; ++f) {
-      layers.for_each_cell(FrontFaceId(f),
-                           [&](const mesh::LayerCell& cell, Level) { sum.add(volume(layers.lines(), cell)); });
+      layers.for_each_cell(FrontFaceId(f), [&](const mesh::LayerCell& cell, Level) {
+        sum.add(mesh::cell_volume(cell.type, mesh::corners_of(layers.lines(), cell)));
+      });
     }
     by_block[begin / kColumnsInBlock] = sum.value();
   });

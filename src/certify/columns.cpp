@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <limits>
 
 #include "nearwall/certify/certificate.h"
@@ -53,25 +52,23 @@ bool is_positive(const mesh::Lines& lines, const mesh::LayerCell& cell) {
   return false;
 }
 
-/// Level of the first cell of a column that is not positive; the line set's number of levels if there is none.
+/// What no cell of a column can have as the level of its bottom.
+constexpr Level kNoLevel = std::numeric_limits<Level>::max();
+
+/// Level of the first cell of a column that is not positive; kNoLevel if there is none.
 Level first_bad_level(const mesh::Front& front, const mesh::Lines& lines, FrontFaceId f, ColumnBuffer& buffer) {
-  const Level none = std::numeric_limits<Level>::max();
-  const mesh::FrontFace& face = front.faces[f];
-  const mesh::Window w = lines.windows[face.lines[0]];
-  if (front.is_wall(f) && w.start == 0 && w == lines.windows[face.lines[1]] && w == lines.windows[face.lines[2]]) {
-    if (!w.moves()) return none;
-    const int bad = predicates::first_bad_wedge(buffer.lay(lines, face, w.end), w.end);
-    return bad < w.end ? static_cast<Level>(bad) : none;
+  if (mesh::has_wedges_only(front, lines, f)) {
+    const mesh::FrontFace& face = front.faces[f];
+    const Level end = lines.windows[face.lines[0]].end;
+    const int bad = end > 0 ? predicates::first_bad_wedge(buffer.lay(lines, face, end), end) : 0;
+    return bad < end ? static_cast<Level>(bad) : kNoLevel;
   }
-  Level last = 0;
-  for (int k = 0; k < face.size(); ++k) {
-    last = std::max(last, lines.windows[face.lines[static_cast<std::size_t>(k)]].end);
-  }
-  for (Level level = 0; level < last; ++level) {
+  const auto [first, last] = mesh::level_range(front, lines, f);
+  for (Level level = first; level < last; ++level) {
     const auto cell = mesh::column_cell(front, lines, f, level);
     if (cell && !is_positive(lines, *cell)) return level;
   }
-  return none;
+  return kNoLevel;
 }
 
 }  // namespace
@@ -85,7 +82,7 @@ std::vector<BadColumn> bad_columns(const mesh::Front& front, const mesh::Lines& 
     for (std::size_t i = begin; i < end; ++i) {
       const FrontFaceId f = columns.empty() ? FrontFaceId(i) : columns[i];
       const Level bad = first_bad_level(front, lines, f, buffer);
-      if (bad != std::numeric_limits<Level>::max()) by_block[begin / kColumnsInBlock].push_back({f, bad});
+      if (bad != kNoLevel) by_block[begin / kColumnsInBlock].push_back({f, bad});
     }
   });
   std::vector<BadColumn> all;

@@ -15,15 +15,6 @@ namespace {
 /// Rounds of certify and shrink after which whatever still fails is blocked. Seen on real surfaces: 1 to 40.
 constexpr int kPatientRounds = 100;
 
-/// Components of the wall, those that the fluid cannot reach left out.
-IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
-  auto component = mesh::connected_components(wall.topology);
-  for (const FaceId f : component.ids()) {
-    if (!wall.is_wetted[f]) component[f] = ComponentId();
-  }
-  return component;
-}
-
 std::vector<VertexId> merged(std::vector<VertexId> a, const std::vector<VertexId>& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::sort(a.begin(), a.end());
@@ -112,7 +103,7 @@ HeightRows rows_of(const GrowOptions& options) {
   return HeightRows(schedules);
 }
 
-void record(const Wall& wall, const HeightRows& rows, const VertexField& field, Growth& growth) {
+void record(const HeightRows& rows, const VertexField& field, Growth& growth) {
   const std::size_t n = growth.front.n_lines();
   growth.asked_thickness.resize(n);
   growth.reached_thickness.resize(n);
@@ -125,10 +116,17 @@ void record(const Wall& wall, const HeightRows& rows, const VertexField& field, 
     growth.asked_levels[line] = field.asked[v] > 0 ? rows.schedule(field.schedule[v]).n_levels : Level{0};
     growth.reason[line] = field.reason[v];
   }
-  expect(wall.surface.points.size() + 1 == growth.front.first_line.size(), "a front over this wall");
 }
 
 }  // namespace
+
+IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
+  auto component = mesh::connected_components(wall.topology);
+  for (const FaceId f : component.ids()) {
+    if (!wall.is_wetted[f]) component[f] = ComponentId();
+  }
+  return component;
+}
 
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress) {
   const HeightRows rows = rows_of(options);
@@ -151,7 +149,7 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   growth.front = mesh::plain_front(wall.surface);
   growth.lines = make_lines(wall, growth.front, rows, field);
   Settling(wall, rows, field, growth).run(progress);
-  record(wall, rows, field, growth);
+  record(rows, field, growth);
   progress.end_stage();
   return growth;
 }

@@ -4,9 +4,6 @@
 
 namespace nearwall::mesh {
 
-namespace {
-
-/// Whether all cells over a wall triangle are wedges, as nearly always: its lines move alike.
 bool has_wedges_only(const Front& front, const Lines& lines, FrontFaceId f) {
   if (!front.is_wall(f)) return false;
   const FrontFace& face = front.faces[f];
@@ -14,7 +11,19 @@ bool has_wedges_only(const Front& front, const Lines& lines, FrontFaceId f) {
   return w.start == 0 && w == lines.windows[face.lines[1]] && w == lines.windows[face.lines[2]];
 }
 
-}  // namespace
+std::pair<Level, Level> level_range(const Front& front, const Lines& lines, FrontFaceId f) {
+  const FrontFace& face = front.faces[f];
+  std::pair<Level, Level> range{0, 0};
+  bool any = false;
+  for (int k = 0; k < face.size(); ++k) {
+    const Window w = lines.windows[face.lines[static_cast<std::size_t>(k)]];
+    if (!w.moves()) continue;
+    range.first = any ? std::min(range.first, w.start) : w.start;
+    range.second = any ? std::max(range.second, w.end) : w.end;
+    any = true;
+  }
+  return range;
+}
 
 LayerMesh::LayerMesh(const Front& front, const Lines& lines) : front_(&front), lines_(&lines) {
   n_nodes_ = front.first_line.size() - 1;
@@ -40,20 +49,6 @@ LayerMesh::LayerMesh(const Front& front, const Lines& lines) : front_(&front), l
     }
     column_offset_.push_back(column_offset_.back() + n);
   }
-}
-
-std::pair<Level, Level> LayerMesh::level_range(FrontFaceId f) const {
-  const FrontFace& face = front_->faces[f];
-  std::pair<Level, Level> range{0, 0};
-  bool any = false;
-  for (int k = 0; k < face.size(); ++k) {
-    const Window w = lines_->windows[face.lines[static_cast<std::size_t>(k)]];
-    if (!w.moves()) continue;
-    range.first = any ? std::min(range.first, w.start) : w.start;
-    range.second = any ? std::max(range.second, w.end) : w.end;
-    any = true;
-  }
-  return range;
 }
 
 }  // namespace nearwall::mesh

@@ -95,12 +95,10 @@ layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSe
   return options;
 }
 
-certify::Certificate certify_or_fail(const mesh::LayerMesh& layers, const layers::Wall& wall, ProgressSink& progress) {
-  certify::CertifiedWall certified{wall.surface, mesh::connected_components(wall.topology), wall.fluid_is_inside};
-  for (const FaceId f : certified.face_component.ids()) {
-    if (!wall.is_wetted[f]) certified.face_component[f] = ComponentId();
-  }
-  const certify::Certificate c = certify::certify_layers(layers, certified, progress);
+certify::Certificate certify_or_fail(const mesh::LayerMesh& layer_mesh, const layers::Wall& wall,
+                                     ProgressSink& progress) {
+  const certify::CertifiedWall certified{wall.surface, layers::wetted_components(wall), wall.fluid_is_inside};
+  const certify::Certificate c = certify::certify_layers(layer_mesh, certified, progress);
   if (!c.is_valid() || !(c.closure() <= kLargestClosure)) {
     throw InternalError(
         fmt::format("the layers could not be certified: {} columns not positive, {} front intersections, {} "

@@ -44,7 +44,7 @@ struct Cells {
 class ColumnPoints {
  public:
   void read(const mesh::LayerMesh& layers, FrontFaceId column) {
-    const auto [first, last] = layers.level_range(column);
+    const auto [first, last] = mesh::level_range(layers.front(), layers.lines(), column);
     first_ = first;
     const mesh::FrontFace& face = layers.front().faces[column];
     n_lines_ = face.size();
@@ -83,7 +83,7 @@ void add_column(const mesh::LayerMesh& layers, FrontFaceId column, ColumnPoints&
     cells.jacobian.add(jacobian);
     if (jacobian < cells.worst) cells.worst = jacobian, cells.worst_column = column, cells.worst_level = level;
     cells.aspect.add(aspect_ratio(cell.type, p));
-    const double v = volume(cell.type, p);
+    const double v = mesh::cell_volume(cell.type, p);
     if (volume_below > 0) cells.volume_ratio.add(v > volume_below ? v / volume_below : volume_below / v);
     volume_below = v;
   });

@@ -5,9 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "nearwall/core/expect.h"
-#include "nearwall/geometry/measures.h"
-
 namespace nearwall::quality {
 
 namespace {
@@ -78,21 +75,6 @@ double aspect_ratio(mesh::CellType type, std::span<const Vec3> p) {
     longest = std::max(longest, length);
   }
   return shortest > 0 ? longest / shortest : std::numeric_limits<double>::infinity();
-}
-
-double volume(mesh::CellType type, std::span<const Vec3> p) {
-  expect(p.size() >= static_cast<std::size_t>(mesh::size_of(type)), "a cell has all its corners");
-  switch (type) {
-    case mesh::CellType::Tetrahedron:
-      return geometry::tetrahedron_volume(p.first<4>());
-    case mesh::CellType::Pyramid:
-      return geometry::pyramid_volume(p.first<5>());
-    case mesh::CellType::Wedge:
-      return geometry::wedge_volume(p.first<6>());
-    case mesh::CellType::Hexahedron:
-      break;
-  }
-  return geometry::hexahedron_volume(p.first<8>());
 }
 
 }  // namespace nearwall::quality

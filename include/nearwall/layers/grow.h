@@ -50,6 +50,9 @@ struct Wall {
   bool fluid_is_inside = false;             ///< the fluid does not reach infinity
 };
 
+/// Component of each face; invalid where the fluid does not reach.
+IdVector<FaceId, ComponentId> wetted_components(const Wall& wall);
+
 /// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what
 /// fails is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md. Memory:
 /// O(n_vertices + n_faces), whatever the number of layers.

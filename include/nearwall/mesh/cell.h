@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "nearwall/core/ids.h"
+#include "nearwall/core/vec3.h"
 
 namespace nearwall::mesh {
 
@@ -16,6 +18,10 @@ inline constexpr std::array<std::string_view, kNCellTypes> kCellTypeNames = {"te
                                                                              "hexahedron"};
 
 constexpr int size_of(CellType type) { return kCellSize[static_cast<std::size_t>(type)]; }
+
+/// Volume of the cell's map [length³]; see geometry/measures.h.
+/// \param p  corners in the order of predicates/cells.h, size_of(type) of them or more
+double cell_volume(CellType type, std::span<const Vec3> p);
 
 /// A node of the layers, named by a line and a level. Nodes that coincide by the window rule have several names and one
 /// node number (LayerMesh::node).

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "nearwall/mesh/cell.h"
@@ -13,6 +14,12 @@ namespace nearwall::mesh {
 /// The cell of the column over one front face between `level` and `level + 1`, by the one rule: take the bottom nodes
 /// and the top nodes and drop repeats. nullopt where three nodes or fewer are left. Source: docs/theory/columns.md.
 std::optional<LayerCell> column_cell(const Front& front, const Lines& lines, FrontFaceId face, Level level);
+
+/// Whether all cells over a wall triangle are wedges from the wall up, as nearly always: its lines move alike.
+bool has_wedges_only(const Front& front, const Lines& lines, FrontFaceId face);
+
+/// Levels [first, last) between which at least one line of the face may move.
+std::pair<Level, Level> level_range(const Front& front, const Lines& lines, FrontFaceId face);
 
 /// Coordinates of the nodes of a cell; the first size_of(type) are set.
 std::array<Vec3, 8> corners_of(const Lines& lines, const LayerCell& cell);
@@ -47,14 +54,11 @@ class LayerMesh {
   /// Calls visit(const LayerCell&, Level) for the cells of a column from the wall up; level is that of the bottom.
   template <class Visit>
   void for_each_cell(FrontFaceId f, Visit&& visit) const {
-    const auto [first, last] = level_range(f);
+    const auto [first, last] = level_range(*front_, *lines_, f);
     for (Level level = first; level < last; ++level) {
       if (const auto cell = column_cell(*front_, *lines_, f, level)) visit(*cell, level);
     }
   }
-
-  /// Levels [first, last) between which at least one line of the face may move.
-  std::pair<Level, Level> level_range(FrontFaceId f) const;
 
  private:
   const Front* front_;

@@ -10,8 +10,9 @@
 
 namespace nearwall::mesh {
 
-/// Stacks of heights that lines refer to: row r holds the distances from the wall of levels 0 … n_levels, as multiples
-/// of nothing, in the unit of the surface. Row r + 1 is a slightly flatter stack of the same first height than row r.
+/// Stacks of heights that lines refer to: row r holds the distances from the wall of levels 0 … n_levels, in the
+/// unit of the surface. Within the rows of one schedule, row r + 1 is a slightly flatter stack of the same first
+/// height.
 class HeightTable {
  public:
   HeightTable() = default;

@@ -17,7 +17,4 @@ double scaled_jacobian(mesh::CellType type, std::span<const Vec3> p);
 /// Longest edge over shortest edge, >= 1; infinite where an edge has no length. Source: docs/theory/quality.md, Eq. (5)
 double aspect_ratio(mesh::CellType type, std::span<const Vec3> p);
 
-/// Volume of the cell's map [length³]; see geometry/measures.h.
-double volume(mesh::CellType type, std::span<const Vec3> p);
-
 }  // namespace nearwall::quality
