@@ -26,12 +26,12 @@ std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vec
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<VertexId> lowered;
   const auto lower_neighbours = [&](VertexId v) {
+    // Where no layer is asked for, nothing limits.
+    if (!(field.asked[v] > 0)) return;
     const Vec3& p = wall.surface.points[v];
     for (const HalfedgeId h : wall.topology.fan(v)) {
       const VertexId u = wall.topology.target(h);
       if (!(field.thickness[u] > field.thickness[v])) continue;
-      // Where no layer is asked for, nothing limits.
-      if (!(field.asked[v] > 0)) continue;
       const double limit = field.thickness[v] + kGradingSlope * distance(p, wall.surface.points[u]);
       if (!field.lower(u, limit, LimitReason::Neighbour)) continue;
       lowered.push_back(u);
