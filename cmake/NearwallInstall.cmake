@@ -1,9 +1,6 @@
 # Installs the program, the libraries and the package that find_package(nearwall) finds.
 include(CMakePackageConfigHelpers)
 get_property(modules GLOBAL PROPERTY NEARWALL_MODULES)
-if(NOT TARGET nearwall)
-  return()
-endif()
 
 add_library(nearwall_nearwall INTERFACE)
 add_library(nearwall::nearwall ALIAS nearwall_nearwall)
