@@ -7,6 +7,7 @@
 
 #include "io/vtk_xml_output.h"
 #include "nearwall/core/expect.h"
+#include "nearwall/core/markup.h"
 #include "nearwall/io/pending_file.h"
 
 namespace nearwall::io {
@@ -40,7 +41,7 @@ void check_size(const DataArray& array, std::size_t n) {
 PackedArray packed(const DataArray& array) {
   return std::visit(
       [&]<class T>(const std::vector<T>& values) {
-        PackedArray out(xml_escaped(array.name), std::string(type_name<T>()), array.components, {});
+        PackedArray out(escaped_markup(array.name), std::string(type_name<T>()), array.components, {});
         out.append(std::span<const T>(values));
         return out;
       },

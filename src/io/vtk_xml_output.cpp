@@ -2,30 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace nearwall::io {
+#include "nearwall/core/markup.h"
 
-std::string xml_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
+namespace nearwall::io {
 
 VtkXmlOutput::VtkXmlOutput(std::string_view type) : type_(type) {
   tags_ = fmt::format(
@@ -46,7 +25,7 @@ void VtkXmlOutput::add(PackedArray& array) {
 
 void VtkXmlOutput::add_strings(std::string_view name, const std::vector<std::string>& strings) {
   tags_ += fmt::format("<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n",
-                       xml_escaped(name), strings.size());
+                       escaped_markup(name), strings.size());
   for (const std::string& text : strings) {
     for (const unsigned char c : text) tags_ += fmt::format("{} ", c);
     tags_ += "0\n";

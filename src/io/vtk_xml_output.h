@@ -30,7 +30,4 @@ class VtkXmlOutput {
   std::uint64_t offset_ = 0;
 };
 
-/// Text as it may stand in an XML attribute.
-std::string xml_escaped(std::string_view text);
-
 }  // namespace nearwall::io

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/vtk_xml_output.h"
+#include "nearwall/core/markup.h"
 #include "nearwall/core/parallel.h"
 
 namespace nearwall::io {
@@ -96,7 +97,7 @@ class VtuWriter {
     add(cells_, "Layer", "Int32", 1);
     add(cells_, "Column", "Int64", 1);
     add(cells_, "Patch", "Int32", 1);
-    for (const CellArray& array : extra) add(cells_, xml_escaped(array.name), "Float64", 1);
+    for (const CellArray& array : extra) add(cells_, escaped_markup(array.name), "Float64", 1);
   }
 
   void write(const VtuMetadata& metadata, ProgressSink& progress) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "nearwall/core/markup.h"
+
 namespace nearwall::pipeline {
 
 namespace {
@@ -56,32 +58,6 @@ std::vector<quality::Bar> widened(const quality::Statistics& s) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 std::string shown(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? "–" : "∞";
   std::string text = fmt::format("{:.{}g}", value, digits);
@@ -129,7 +105,7 @@ std::string stacked_bar(std::span<const Share> shares) {
     if (!(share.percent > 0)) continue;
     const std::string label = share.percent >= kLeastLabelled ? fmt::format("{:.1f} %", share.percent) : "";
     out += fmt::format("<span class='{}' style='width:{:.3f}%' title='{}: {:.2f} %'>{}</span>", share.css_class,
-                       share.percent, escaped(share.label), share.percent, label);
+                       share.percent, escaped_markup(share.label), share.percent, label);
   }
   return out + "</div>";
 }

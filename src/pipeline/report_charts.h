@@ -8,9 +8,6 @@
 
 namespace nearwall::pipeline {
 
-/// Text with what HTML would take for markup escaped.
-std::string escaped(std::string_view text);
-
 /// A number for people: about `digits` significant digits.
 std::string shown(double value, int digits = 4);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "nearwall/core/markup.h"
 #include "pipeline/report_charts.h"
 #include "pipeline/report_json.h"
 #include "pipeline/report_style.h"
@@ -48,12 +49,13 @@ double over_all_walls(const Report& report, double quality::PatchCoverage::*memb
 
 std::string head_of(const Report& report) {
   const bool is_short = report.is_short_of_coverage();
-  std::string out = fmt::format("<header><h1>{}</h1>", escaped(report.name));
+  std::string out = fmt::format("<header><h1>{}</h1>", escaped_markup(report.name));
   out +=
       report.certified ? "<span class='badge good'>✓ certified</span>" : "<span class='badge bad'>not certified</span>";
   if (is_short) out += "<span class='badge bad'>coverage under min_coverage</span>";
   out += fmt::format("</header><p class='subtitle'>Boundary layers on {} · {} triangles · nearwall {}</p>",
-                     escaped(report.input_file), shown_count(report.surface.triangles), escaped(report.version));
+                     escaped_markup(report.input_file), shown_count(report.surface.triangles),
+                     escaped_markup(report.version));
   out += "<div class='cards'>";
   out += card(shown_count(report.n_cells()), "cells");
   out +=
@@ -88,7 +90,7 @@ std::string pictures_of(const Report& report, const std::filesystem::path& folde
     if (bytes.empty()) continue;
     figures +=
         fmt::format("<figure><img alt='{0}' src='data:image/png;base64,{1}'><figcaption>{0}</figcaption></figure>",
-                    escaped(picture.title), base64(bytes));
+                    escaped_markup(picture.title), base64(bytes));
   }
   return figures.empty() ? ""
                          : fmt::format("<section><h2>Pictures</h2><div class='pictures'>{}</div></section>", figures);
@@ -106,7 +108,7 @@ std::string coverage_row(const PatchReport& patch) {
   const quality::PatchCoverage& c = patch.coverage;
   if (!is_wall(patch)) {
     return fmt::format("<tr><td>{}</td><td>{}</td><td class='left' colspan='6'><small>{}</small></td></tr>",
-                       escaped(patch.name), shown(c.area),
+                       escaped_markup(patch.name), shown(c.area),
                        patch.type == PatchType::Wall ? "out of the fluid's reach" : "no layers asked for");
   }
   const auto against = [](double value, double asked) {
@@ -115,7 +117,7 @@ std::string coverage_row(const PatchReport& patch) {
   return fmt::format(
       "<tr{}><td>{}{}</td><td>{}</td><td class='left'>{}</td><td>{}</td><td>{}</td><td>{:.1f}<br><small>of "
       "{}</small></td><td>{}</td><td>{}</td></tr>",
-      patch.is_below_min_coverage() ? " class='short'" : "", escaped(patch.name),
+      patch.is_below_min_coverage() ? " class='short'" : "", escaped_markup(patch.name),
       patch.is_below_min_coverage() ? fmt::format("<br><small>under min_coverage = {} %</small>", patch.min_coverage)
                                     : "",
       shown(c.area), coverage_bar(c), percent(c.all_layers_percent), percent(c.full_percent), c.mean_layers,
@@ -162,7 +164,7 @@ std::string limits_of(const Report& report) {
       is_used[r] = true;
       shares.push_back({mesh::kLimitReasonNames[r], 100 * share / limited, classes[r]});
     }
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td class='left'>{}</td></tr>", escaped(patch.name),
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td class='left'>{}</td></tr>", escaped_markup(patch.name),
                         percent(limited), stacked_bar(shares));
   }
   if (rows.empty()) return "";
@@ -202,7 +204,7 @@ std::string quality_of(const Report& report) {
   }
   for (const PatchReport& patch : report.patches) {
     if (!is_wall(patch) || report.patches.size() > 6) continue;
-    charts += fmt::format("<div><h3>First height on {}</h3>{}</div>", escaped(patch.name),
+    charts += fmt::format("<div><h3>First height on {}</h3>{}</div>", escaped_markup(patch.name),
                           histogram(patch.coverage.first_height, ""));
   }
   return fmt::format(
@@ -243,7 +245,7 @@ std::string certificate_of(const Report& report) {
   out += entry("vertices that nothing sees all of", shown_count(s.blind));
   const Vec3 size = report.forecast.box.high - report.forecast.box.low;
   out += entry("box", fmt::format("{} × {} × {}", shown(size.x()), shown(size.y()), shown(size.z())));
-  out += entry("SHA-256", escaped(report.input_sha256));
+  out += entry("SHA-256", escaped_markup(report.input_sha256));
   return out + "</dl></div></div></section>";
 }
 
@@ -255,7 +257,7 @@ std::string stages_of(const Report& report) {
     rows += fmt::format(
         "<tr><td>{}</td><td>{}</td><td class='left' style='width:60%'><div class='time' "
         "style='width:{:.1f}%'></div></td></tr>",
-        escaped(stage.name), duration(stage.seconds), longest > 0 ? 100 * stage.seconds / longest : 0);
+        escaped_markup(stage.name), duration(stage.seconds), longest > 0 ? 100 * stage.seconds / longest : 0);
   }
   return fmt::format("<section><h2>Time</h2><table><tbody>{}</tbody></table></section>", rows);
 }
@@ -263,7 +265,7 @@ std::string stages_of(const Report& report) {
 std::string list_of(std::string_view title, const std::vector<std::string>& items) {
   if (items.empty()) return "";
   std::string out = fmt::format("<section><h2>{}</h2><ul>", title);
-  for (const std::string& item : items) out += fmt::format("<li>{}</li>", escaped(item));
+  for (const std::string& item : items) out += fmt::format("<li>{}</li>", escaped_markup(item));
   return out + "</ul></section>";
 }
 
@@ -288,7 +290,7 @@ std::string case_of(const Report& report) {
     }
   };
   add(add, text, tables, case_json(report.settings), "");
-  return fmt::format("<section><h2>Case in force</h2><pre>{}</pre></section>", escaped(text + tables));
+  return fmt::format("<section><h2>Case in force</h2><pre>{}</pre></section>", escaped_markup(text + tables));
 }
 
 }  // namespace
@@ -297,7 +299,7 @@ std::string to_html(const Report& report, const std::filesystem::path& picture_f
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width, "
       "initial-scale=1'><title>{} – nearwall</title><style>{}</style></head><body><main>",
-      escaped(report.name), kReportStyle);
+      escaped_markup(report.name), kReportStyle);
   out += head_of(report);
   out += list_of("Warnings", report.warnings);
   out += pictures_of(report, picture_folder);
@@ -310,7 +312,7 @@ std::string to_html(const Report& report, const std::filesystem::path& picture_f
   out += list_of("Notes", report.notes);
   out += list_of("Files", report.files);
   out += fmt::format("<footer>Definitions of all figures: docs/theory/quality.md · nearwall {}</footer>",
-                     escaped(report.version));
+                     escaped_markup(report.version));
   return out + "</main></body></html>\n";
 }
 
