@@ -47,6 +47,14 @@ std::size_t surface_format(const std::filesystem::path& path) {
   return static_cast<std::size_t>(found - kSurfaceEndings.begin());
 }
 
+bool is_surface_name(const std::filesystem::path& path) {
+  return std::ranges::find(kSurfaceEndings, format_ending(path)) != kSurfaceEndings.end();
+}
+
+std::string surface_stem(const std::filesystem::path& path) {
+  return (is_gzip_name(path) ? path.stem() : path).stem().string();
+}
+
 mesh::SurfaceMesh read_surface(const std::filesystem::path& path) try {
   if (std::filesystem::is_directory(path)) {
     throw InputError(fmt::format("{}: is a folder, expected a surface file", path.string()));

@@ -1,6 +1,6 @@
 #include "nearwall/pipeline/case.h"
 
-#include <algorithm>
+#include "nearwall/io/surface_reader.h"
 
 namespace nearwall {
 
@@ -12,12 +12,7 @@ std::filesystem::path beside(const std::filesystem::path& case_file, const std::
 
 }  // namespace
 
-std::string Case::output_name() const {
-  if (!name.empty()) return name;
-  std::filesystem::path stem = surface.file.filename();
-  if (stem.extension() == ".gz") stem = stem.stem();
-  return stem.stem().string();
-}
+std::string Case::output_name() const { return name.empty() ? io::surface_stem(surface.file) : name; }
 
 std::filesystem::path Case::surface_path() const { return beside(file, surface.file); }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/io/surface_reader.h"
 #include "program/surface_files.h"
 
 namespace nearwall::program {
@@ -30,7 +31,7 @@ std::vector<Found> find_inputs(const BatchRequest& request) {
       found.push_back({input, input});
       continue;
     }
-    for (const fs::path& file : files_below(input, request.template_file ? is_surface_file : is_case_file)) {
+    for (const fs::path& file : files_below(input, request.template_file ? io::is_surface_name : is_case_file)) {
       found.push_back({file, file.lexically_relative(input)});
     }
   }
@@ -83,7 +84,7 @@ std::vector<BatchItem> plan_batch(const BatchRequest& request) {
     };
     if (request.template_file) {
       add({"--set", "surface.file=" + quoted(fs::absolute(found.file).string())});
-      add({"--set", "name=" + quoted(stem_of(found.file))});
+      add({"--set", "name=" + quoted(io::surface_stem(found.file))});
     }
     for (const std::string& override : request.overrides) add({"--set", override});
     if (request.directory || request.template_file) {

@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/io/surface_reader.h"
 #include "nearwall/pipeline/case.h"
 #include "nearwall/pipeline/run.h"
 #include "program/cli.h"
 #include "program/relative_lengths.h"
-#include "program/surface_files.h"
 #include "program/table.h"
 
 namespace nearwall::program {
@@ -121,7 +121,7 @@ std::string stored_report(const fs::path& directory) {
 }
 
 void demand_case_file(const std::string& file) {
-  if (!is_surface_file(file)) return;
+  if (!io::is_surface_name(file)) return;
   throw InputError(
       fmt::format("{0} is a surface; `run` takes a case file, which names the surface and the layer heights.\nMake one "
                   "with sensible values, look it over, and run it:\n"

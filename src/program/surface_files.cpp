@@ -1,7 +1,6 @@
 #include "program/surface_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <regex>
@@ -22,19 +21,9 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-fs::path without_gz(const fs::path& path) {
-  return lower_case(path.extension().string()) == ".gz" ? path.parent_path() / path.stem() : path;
-}
-
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
 }  // namespace
-
-bool is_surface_file(const fs::path& path) {
-  constexpr std::array<const char*, 6> kEndings = {".stl", ".obj", ".ply", ".off", ".vtp", ".vtk"};
-  const std::string ending = lower_case(without_gz(path).extension().string());
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
-}
 
 void demand_vtp(const std::string& option, const fs::path& path) {
   if (lower_case(path.extension().string()) == ".vtp") return;
@@ -51,8 +40,6 @@ bool is_case_file(const fs::path& path) {
   }
   return false;
 }
-
-std::string stem_of(const fs::path& path) { return without_gz(path).stem().string(); }
 
 std::vector<fs::path> files_below(const fs::path& folder, bool (*wanted)(const fs::path&)) {
   std::vector<fs::path> found;

@@ -6,14 +6,8 @@
 
 namespace nearwall::program {
 
-/// Whether the name ends as those of surfaces that this version reads: stl, obj, ply, off, vtp, vtk, also gzipped.
-bool is_surface_file(const std::filesystem::path& path);
-
 /// Whether the file is a case file: *.toml with a key `format` at its top level.
 bool is_case_file(const std::filesystem::path& path);
-
-/// Name without its ending, and without .gz before that.
-std::string stem_of(const std::filesystem::path& path);
 
 /// For options that name a VTP file to write. \throws InputError if the name ends otherwise
 void demand_vtp(const std::string& option, const std::filesystem::path& path);

@@ -88,6 +88,19 @@ TEST(ReadSurface, TakesEndingsInUpperCaseAndGzip) {
   EXPECT_EQ(read("a.stl", gzip(text)).faces.size(), 1u) << "gzip is told by the content";
 }
 
+TEST(SurfaceName, IsToldByItsEnding) {
+  EXPECT_TRUE(is_surface_name("a.b/wing.STL"));
+  EXPECT_TRUE(is_surface_name("wing.vtk.GZ"));
+  EXPECT_FALSE(is_surface_name("wing.toml"));
+  EXPECT_FALSE(is_surface_name("stl"));
+  EXPECT_FALSE(is_surface_name("wing.gz"));
+}
+
+TEST(SurfaceName, HasAStemWithoutEndings) {
+  EXPECT_EQ(surface_stem("a.b/wing.v2.stl"), "wing.v2");
+  EXPECT_EQ(surface_stem("a.b/wing.STL.GZ"), "wing");
+}
+
 TEST(ReadSurface, ReadsGzipOfSeveralMembers) {
   const auto mesh = read("a.stl.gz", gzip("solid a\n" + facet(0)) + gzip(facet(2) + "endsolid\n"));
   EXPECT_EQ(mesh.faces.size(), 2u);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "nearwall/mesh/surface_mesh.h"
 
@@ -16,5 +17,11 @@ namespace nearwall::io {
 ///         GeometryError  the content is malformed or holds no triangle: file, line or byte, what was expected
 /// Memory: about the (decompressed) file and the mesh. What each format keeps: docs/formats.md.
 mesh::SurfaceMesh read_surface(const std::filesystem::path& path);
+
+/// Whether the name ends as those of surfaces that `read_surface` reads.
+bool is_surface_name(const std::filesystem::path& path);
+
+/// Name of the file without its ending, and without .gz before that.
+std::string surface_stem(const std::filesystem::path& path);
 
 }  // namespace nearwall::io
