@@ -19,7 +19,7 @@ CaseValue flow_value(const Case& c, double spacing::FlowConditions::*member) {
   return c.flow && (*c.flow).*member > 0 ? CaseValue((*c.flow).*member) : CaseValue();
 }
 
-std::vector<Key> top_and_surface() {
+std::vector<Key> top_keys() {
   std::vector<Key> keys;
   keys.push_back({.name = "format",
                   .kind = Kind::Integer,
@@ -34,6 +34,11 @@ std::vector<Key> top_and_surface() {
                   .doc = "of the output files; without it the name of the surface file",
                   .set = [](Target t, const CaseValue& v) { t.settings.name = text(v); },
                   .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.output_name()); }});
+  return keys;
+}
+
+std::vector<Key> surface_keys() {
+  std::vector<Key> keys;
   keys.push_back({.table = "surface",
                   .name = "file",
                   .kind = Kind::Text,
@@ -91,6 +96,11 @@ std::vector<Key> top_and_surface() {
                       [](const Case& c, const LayerSettings&) {
                         return CaseValue(std::string(c.surface.repair == surface::Repair::Safe ? "safe" : "none"));
                       }});
+  return keys;
+}
+
+std::vector<Key> patch_keys() {
+  std::vector<Key> keys;
   keys.push_back(
       {.table = "patches",
        .name = "type",
@@ -105,7 +115,7 @@ std::vector<Key> top_and_surface() {
   return keys;
 }
 
-std::vector<Key> features_to_smoothing() {
+std::vector<Key> normals_keys() {
   std::vector<Key> keys;
   keys.push_back({.table = "features",
                   .name = "ridge_angle",
@@ -119,42 +129,12 @@ std::vector<Key> features_to_smoothing() {
                   .name = "method",
                   .kind = Kind::Choice,
                   .default_text = "\"most-visible\"",
-                  .choices = {"most-visible", "angle"},
-                  .later = {"most-normal",
-                            "kallinderis",
-                            "pirzadeh",
-                            "iterative",
-                            "thin-plate",
-                            "hardy",
-                            "shepard",
-                            "linear-fit",
-                            "quadratic-fit",
-                            "renka-cline",
-                            "nielson",
-                            "uniform",
-                            "area",
-                            "inverse-area",
-                            "projected-area",
-                            "little-1",
-                            "little-1/2",
-                            "little-2",
-                            "max",
-                            "little-max",
-                            "inverse-diameter",
-                            "angle-over-diameter",
-                            "inverse-circumarea",
-                            "angle-over-circumarea"},
+                  .choices = {surface::kNormalMethodNames.begin(), surface::kNormalMethodNames.end()},
+                  .later = {surface::kLaterNormalMethods.begin(), surface::kLaterNormalMethods.end()},
                   .doc = "direction of a line where one normal has to see several faces",
-                  .set =
-                      [](Target t, const CaseValue& v) {
-                        using surface::NormalMethod;
-                        t.settings.normals = text(v) == "angle" ? NormalMethod::Angle : NormalMethod::MostVisible;
-                      },
-                  .get =
-                      [](const Case& c, const LayerSettings&) {
-                        const bool is_angle = c.normals == surface::NormalMethod::Angle;
-                        return CaseValue(std::string(is_angle ? "angle" : "most-visible"));
-                      }});
+                  .set = [](Target t, const CaseValue& v) { t.settings.normals = *surface::normal_method(text(v)); },
+                  .get = [](const Case& c,
+                            const LayerSettings&) { return CaseValue(std::string(surface::method_name(c.normals))); }});
   keys.push_back(
       {.table = "normals",
        .name = "multi",
@@ -168,6 +148,11 @@ std::vector<Key> features_to_smoothing() {
            [](const Case& c, const LayerSettings&) {
              return c.is_multi_allowed ? CaseValue(std::string(kAuto)) : CaseValue(false);
            }});
+  return keys;
+}
+
+std::vector<Key> smoothing_keys() {
+  std::vector<Key> keys;
   keys.push_back({.table = "smoothing",
                   .name = "filter",
                   .kind = Kind::Choice,
@@ -210,7 +195,7 @@ std::vector<Key> features_to_smoothing() {
   return keys;
 }
 
-std::vector<Key> flow_and_output() {
+std::vector<Key> flow_keys() {
   using spacing::FlowConditions;
   constexpr Range kPositive = {0, std::numeric_limits<double>::infinity(), true};
   std::vector<Key> keys;
@@ -240,6 +225,11 @@ std::vector<Key> flow_and_output() {
        .doc = "run of the boundary layer; for y_plus",
        .set = [](Target t, const CaseValue& v) { flow(t).reference_length = number(v); },
        .get = [](const Case& c, const LayerSettings&) { return flow_value(c, &FlowConditions::reference_length); }});
+  return keys;
+}
+
+std::vector<Key> output_keys() {
+  std::vector<Key> keys;
   keys.push_back({.table = "output",
                   .name = "directory",
                   .kind = Kind::Text,
@@ -276,8 +266,11 @@ std::vector<Key> flow_and_output() {
 }  // namespace
 
 std::vector<Key> general_keys() {
-  std::vector<Key> keys = top_and_surface();
-  for (auto part : {features_to_smoothing(), flow_and_output()}) keys.insert(keys.end(), part.begin(), part.end());
+  std::vector<Key> keys;
+  for (const auto& part :
+       {top_keys(), surface_keys(), patch_keys(), normals_keys(), smoothing_keys(), flow_keys(), output_keys()}) {
+    keys.insert(keys.end(), part.begin(), part.end());
+  }
   return keys;
 }
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/mesh/topology.h"
@@ -15,6 +15,7 @@
 #include "nearwall/surface/normals.h"
 #include "program/cli.h"
 #include "program/loaded_surface.h"
+#include "program/surface_arguments.h"
 #include "program/surface_files.h"
 #include "program/table.h"
 
@@ -27,14 +28,10 @@ using surface::Admission;
 using surface::Fault;
 using surface::PointKind;
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-
 struct CheckArguments {
-  std::string file;
+  SurfaceArguments surface;
   std::optional<std::string> output;
   std::string fluid = "outside";
-  double weld = 0;
-  double ridge_angle_deg = 40;
 };
 
 /// Counts of the features of a surface on which they can be told.
@@ -147,17 +144,18 @@ std::string faults(const Admission& admission) {
 
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (arguments.output) demand_vtp("--output", *arguments.output);
-  const LoadedSurface loaded = load_surface(arguments.file, arguments.weld, console);
+  const LoadedSurface loaded = load_surface(arguments.surface.file, arguments.surface.weld, console);
   surface::AdmissionPolicy policy;
   policy.fluid = arguments.fluid == "inside" ? surface::FluidSide::Inside : surface::FluidSide::Outside;
   const Admission admission = staged(console, "inspecting", [&] { return surface::inspect(loaded.mesh, policy); });
   const auto counts = staged(console, "features", [&] {
-    return count_features(admission.surface, arguments.ridge_angle_deg * kRadiansPerDegree);
+    return count_features(admission.surface, geometry::to_radians(arguments.surface.ridge_angle_deg));
   });
 
   console.print_json(json_of(admission, loaded.mesh, counts));
-  console.print(fmt::format("{}: {}\n{}", arguments.file, admission.is_usable() ? "usable" : "cannot be used as it is",
-                            facts(loaded, admission, counts, arguments.ridge_angle_deg)));
+  console.print(fmt::format("{}: {}\n{}", arguments.surface.file,
+                            admission.is_usable() ? "usable" : "cannot be used as it is",
+                            facts(loaded, admission, counts, arguments.surface.ridge_angle_deg)));
   if (admission.is_usable()) {
     if (arguments.output) console.say("there are no offending triangles to write");
     return ExitCode::Done;
@@ -177,21 +175,14 @@ void add_check_command(CommandLine& line) {
   CLI::App& app = line.add("check", "what is wrong with a surface, and what its edges are like; nothing is changed",
                            "check SURFACE [-o FILE.vtp] [options]", "nearwall check wing.stl -o faults.vtp",
                            [arguments](CommandContext& context) { return run_check(*arguments, context.console); });
-  app.add_option("SURFACE", arguments->file, "stl, obj, ply, off, vtp or vtk, also gzipped")->required();
+  arguments->surface.add_argument(app);
   app.add_option("-o,--output", arguments->output, "write the offending triangles, with the cell array Fault")
       ->type_name("FILE.vtp");
   app.add_option("--fluid", arguments->fluid, "side of the wall on which the fluid lies")
       ->type_name("outside|inside")
       ->check(CLI::IsMember({"outside", "inside"}))
       ->capture_default_str();
-  app.add_option("--weld", arguments->weld, "distance within which points become one [length]; 0: equal points only")
-      ->type_name("LENGTH")
-      ->check(non_negative())
-      ->capture_default_str();
-  app.add_option("--ridge-angle", arguments->ridge_angle_deg, "turn from which an edge is a ridge [deg]")
-      ->type_name("DEG")
-      ->check(CLI::Range(0.0, 180.0))
-      ->capture_default_str();
+  arguments->surface.add_options(app);
 }
 
 }  // namespace nearwall::program

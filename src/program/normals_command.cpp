@@ -1,19 +1,20 @@
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <numbers>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/nearest.h"
+#include "nearwall/geometry/angles.h"
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
 #include "nearwall/surface/normals.h"
 #include "program/cli.h"
 #include "program/loaded_surface.h"
+#include "program/surface_arguments.h"
 #include "program/surface_files.h"
 #include "program/table.h"
 
@@ -21,52 +22,23 @@ namespace nearwall::program {
 
 namespace {
 
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-
 struct NormalsArguments {
-  std::string file;
+  SurfaceArguments surface;
   std::string output;
   std::string method = "most-visible";
-  double weld = 0;
-  double ridge_angle_deg = 40;
 };
 
-/// Methods of later versions.
-constexpr std::array kLaterMethods = {"uniform",
-                                      "area",
-                                      "inverse-area",
-                                      "projected-area",
-                                      "little-1",
-                                      "little-1/2",
-                                      "little-2",
-                                      "max",
-                                      "little-max",
-                                      "inverse-diameter",
-                                      "angle-over-diameter",
-                                      "inverse-circumarea",
-                                      "angle-over-circumarea",
-                                      "most-normal",
-                                      "kallinderis",
-                                      "pirzadeh",
-                                      "iterative",
-                                      "thin-plate",
-                                      "hardy",
-                                      "shepard",
-                                      "linear-fit",
-                                      "quadratic-fit",
-                                      "renka-cline",
-                                      "nielson"};
-
 surface::NormalMethod method_of(const std::string& name) {
-  if (name == "most-visible") return surface::NormalMethod::MostVisible;
-  if (name == "angle") return surface::NormalMethod::Angle;
-  if (std::find(kLaterMethods.begin(), kLaterMethods.end(), name) != kLaterMethods.end()) {
-    throw InputError(fmt::format("--method {}: not in this version, which has most-visible and angle", name));
+  if (const auto method = surface::normal_method(name)) return *method;
+  const std::vector<std::string> known(surface::kNormalMethodNames.begin(), surface::kNormalMethodNames.end());
+  const std::string there_are = fmt::format("{}", fmt::join(known, " and "));
+  const auto& later = surface::kLaterNormalMethods;
+  if (std::find(later.begin(), later.end(), name) != later.end()) {
+    throw InputError(fmt::format("--method {}: not in this version, which has {}", name, there_are));
   }
-  const std::array<std::string, 2> known = {"most-visible", "angle"};
   const std::string near = nearest(name, known);
-  throw InputError(fmt::format("--method {}: unknown{}; there are most-visible and angle", name,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+  throw InputError(fmt::format("--method {}: unknown{}; there are {}", name,
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near), there_are));
 }
 
 using PointNormals = IdVector<VertexId, surface::PointNormal>;
@@ -80,14 +52,14 @@ io::PolyDataFile with_normals(const mesh::SurfaceMesh& mesh, const mesh::Topolog
   for (const VertexId v : normals.ids()) {
     const surface::PointNormal& n = normals[v];
     directions.insert(directions.end(), {n.direction.x(), n.direction.y(), n.direction.z()});
-    angles.push_back(n.max_angle * kDegreesPerRadian);
+    angles.push_back(geometry::to_degrees(n.max_angle));
     kinds.push_back(static_cast<std::int32_t>(features.kind[v]));
   }
   for (const HalfedgeId h : features.turn.ids()) {
     const HalfedgeId twin = topology.twin(h);
     if (!features.is_ridge[h] || (twin.is_valid() && twin < h)) continue;
     file.lines.push_back({topology.origin(h).index(), topology.target(h).index()});
-    turns.push_back(features.turn[h] * kDegreesPerRadian);
+    turns.push_back(geometry::to_degrees(features.turn[h]));
   }
   file.point_data.push_back({"Normals", std::move(directions), 3});
   file.point_data.push_back({"VisibilityAngle", std::move(angles)});
@@ -99,9 +71,9 @@ io::PolyDataFile with_normals(const mesh::SurfaceMesh& mesh, const mesh::Topolog
 ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
   demand_vtp("--output", arguments.output);
   const surface::NormalMethod method = method_of(arguments.method);
-  const LoadedSurface loaded = load_surface(arguments.file, arguments.weld, console);
+  const LoadedSurface loaded = load_surface(arguments.surface.file, arguments.surface.weld, console);
   const mesh::Topology topology(loaded.mesh);
-  const surface::FeatureOptions options{.ridge_angle = arguments.ridge_angle_deg / kDegreesPerRadian};
+  const surface::FeatureOptions options{.ridge_angle = geometry::to_radians(arguments.surface.ridge_angle_deg)};
   const auto features =
       staged(console, "features", [&] { return surface::find_features(loaded.mesh, topology, options); });
   const PointNormals normals =
@@ -110,7 +82,7 @@ ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
 
   const auto n_blind = std::count_if(normals.begin(), normals.end(), [](const auto& n) { return !n.is_visible; });
   double worst = 0;
-  for (const surface::PointNormal& n : normals) worst = std::max(worst, n.max_angle * kDegreesPerRadian);
+  for (const surface::PointNormal& n : normals) worst = std::max(worst, geometry::to_degrees(n.max_angle));
   console.print_json(nlohmann::json{{"file", arguments.output},
                                     {"method", arguments.method},
                                     {"points", normals.size()},
@@ -129,21 +101,14 @@ void add_normals_command(CommandLine& line) {
       line.add("normals", "point normals of a surface, closed or open", "normals SURFACE --method M -o OUT.vtp",
                "nearwall normals wing.stl --method most-visible -o normals.vtp",
                [arguments](CommandContext& context) { return run_normals(*arguments, context.console); });
-  app.add_option("SURFACE", arguments->file, "stl, obj, ply, off, vtp or vtk, also gzipped")->required();
+  arguments->surface.add_argument(app);
   app.add_option("-o,--output", arguments->output, "point arrays Normals, VisibilityAngle, PointKind; ridges as lines")
       ->type_name("OUT.vtp")
       ->required();
   app.add_option("--method", arguments->method, "most-visible: sees its worst face best; angle: weighted by angles")
       ->type_name("M")
       ->capture_default_str();
-  app.add_option("--weld", arguments->weld, "distance within which points become one [length]; 0: equal points only")
-      ->type_name("LENGTH")
-      ->check(non_negative())
-      ->capture_default_str();
-  app.add_option("--ridge-angle", arguments->ridge_angle_deg, "turn from which an edge is a ridge [deg]")
-      ->type_name("DEG")
-      ->check(CLI::Range(0.0, 180.0))
-      ->capture_default_str();
+  arguments->surface.add_options(app);
 }
 
 }  // namespace nearwall::program

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
@@ -100,6 +101,14 @@ std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_norm
   }
   if (given.all().empty()) return std::nullopt;
   return most_visible_of(given.all(), units.all());
+}
+
+std::string_view method_name(NormalMethod method) { return kNormalMethodNames[static_cast<std::size_t>(method)]; }
+
+std::optional<NormalMethod> normal_method(std::string_view name) {
+  const auto at = std::find(kNormalMethodNames.begin(), kNormalMethodNames.end(), name);
+  if (at == kNormalMethodNames.end()) return std::nullopt;
+  return static_cast<NormalMethod>(at - kNormalMethodNames.begin());
 }
 
 Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring, bool closed) {

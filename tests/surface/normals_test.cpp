@@ -366,5 +366,13 @@ TEST(PointNormals, AreTheSameBitsOnTurnedAxesAtAnyScaleAndOnAnyNumberOfThreads) 
   }
 }
 
+TEST(NormalMethod, GoesByItsName) {
+  for (const NormalMethod method : {NormalMethod::MostVisible, NormalMethod::Angle}) {
+    EXPECT_EQ(normal_method(method_name(method)), method);
+  }
+  EXPECT_EQ(method_name(NormalMethod::Angle), "angle");
+  for (const std::string_view later : kLaterNormalMethods) EXPECT_FALSE(normal_method(later)) << later;
+}
+
 }  // namespace
 }  // namespace nearwall::surface

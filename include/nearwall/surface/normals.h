@@ -1,8 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
-#include <vector>
+#include <string_view>
 
 #include "nearwall/core/vec3.h"
 #include "nearwall/mesh/surface_mesh.h"
@@ -39,6 +40,40 @@ enum class Weight { Angle };
 Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring, bool closed = true);
 
 enum class NormalMethod { MostVisible, Angle };
+
+/// Names of the methods, in the order of NormalMethod, as in case files and on the command line.
+inline constexpr std::array<std::string_view, 2> kNormalMethodNames = {"most-visible", "angle"};
+
+/// Names of methods that this version knows and does not do.
+inline constexpr std::array<std::string_view, 24> kLaterNormalMethods = {"most-normal",
+                                                                         "kallinderis",
+                                                                         "pirzadeh",
+                                                                         "iterative",
+                                                                         "thin-plate",
+                                                                         "hardy",
+                                                                         "shepard",
+                                                                         "linear-fit",
+                                                                         "quadratic-fit",
+                                                                         "renka-cline",
+                                                                         "nielson",
+                                                                         "uniform",
+                                                                         "area",
+                                                                         "inverse-area",
+                                                                         "projected-area",
+                                                                         "little-1",
+                                                                         "little-1/2",
+                                                                         "little-2",
+                                                                         "max",
+                                                                         "little-max",
+                                                                         "inverse-diameter",
+                                                                         "angle-over-diameter",
+                                                                         "inverse-circumarea",
+                                                                         "angle-over-circumarea"};
+
+std::string_view method_name(NormalMethod method);
+
+/// nullopt if this version has no method of that name.
+std::optional<NormalMethod> normal_method(std::string_view name);
 
 struct PointNormal {
   Vec3 direction;          ///< unit vector; where nothing sees all faces, the angle-weighted normal
