@@ -25,7 +25,7 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& 
     const VertexId v(i);
     std::size_t n_without = 0;
     const auto fan = wall.topology.fan(v);
-    std::tuple<Level, double> least{};
+    std::tuple<Level, double, std::uint32_t> least{};
     bool is_first = true;
     for (const HalfedgeId h : fan) {
       const FaceId f = Topology::face(h);
@@ -35,7 +35,8 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& 
         continue;
       }
       const ScheduleRows& schedule = rows.schedule(patch.index());
-      const std::tuple size(schedule.n_levels, schedule.asked_thickness());
+      // The patch number last: equal stacks must not be told apart by which face comes first.
+      const std::tuple size(schedule.n_levels, schedule.asked_thickness(), patch.index());
       if (is_first || size < least) {
         least = size;
         field.schedule[v] = patch.index();

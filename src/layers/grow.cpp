@@ -1,9 +1,13 @@
 #include "nearwall/layers/grow.h"
 
 #include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "line_set.h"
 #include "nearwall/certify/certificate.h"
+#include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
 #include "shrink.h"
 #include "vertex_field.h"
@@ -95,25 +99,31 @@ class Settling {
   std::vector<char> front_changed_;  // (n_front_faces) since the front was last looked at
 };
 
-HeightRows rows_of(const GrowOptions& options) {
+HeightRows rows_of(const Wall& wall, const GrowOptions& options) {
+  if (options.schedules.size() != wall.surface.patch_names.size()) {
+    throw InputError(fmt::format("{} schedules for {} patches: give one for each", options.schedules.size(),
+                                 wall.surface.patch_names.size()));
+  }
   std::vector<std::vector<double>> schedules;
   for (const PatchSchedule& s : options.schedules) {
+    const bool is_sound = std::all_of(s.heights.begin(), s.heights.end(), [](double h) { return h > 0; });
+    if (s.has_layers && (s.heights.empty() || s.heights.size() >= std::numeric_limits<Level>::max() || !is_sound)) {
+      throw InputError("a patch with layers needs 1 to 65534 heights, all of them above zero");
+    }
     schedules.push_back(s.has_layers ? s.heights : std::vector<double>());
   }
   return HeightRows(schedules);
 }
 
-void record(const HeightRows& rows, const VertexField& field, Growth& growth) {
+void record(const VertexField& field, Growth& growth) {
   const std::size_t n = growth.front.n_lines();
   growth.asked_thickness.resize(n);
   growth.reached_thickness.resize(n);
-  growth.asked_levels.resize(n);
   growth.reason.resize(n);
   for (const LineId line : growth.front.line_vertex.ids()) {
     const VertexId v = growth.front.line_vertex[line];
     growth.asked_thickness[line] = field.asked[v];
     growth.reached_thickness[line] = field.thickness[v];
-    growth.asked_levels[line] = field.asked[v] > 0 ? rows.schedule(field.schedule[v]).n_levels : Level{0};
     growth.reason[line] = field.reason[v];
   }
 }
@@ -129,7 +139,7 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
 }
 
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress) {
-  const HeightRows rows = rows_of(options);
+  const HeightRows rows = rows_of(wall, options);
   VertexField field = ask(wall, options, rows);
   Growth growth;
 
@@ -149,7 +159,7 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   growth.front = mesh::plain_front(wall.surface);
   growth.lines = make_lines(wall, growth.front, rows, field);
   Settling(wall, rows, field, growth).run(progress);
-  record(rows, field, growth);
+  record(field, growth);
   progress.end_stage();
   return growth;
 }

@@ -65,6 +65,10 @@ std::span<const HalfedgeId> halfedges_to(const std::vector<VertexId>& origin, st
 
 Topology::Topology(const SurfaceMesh& mesh) {
   const std::size_t n_vertices = mesh.points.size();
+  if (3 * mesh.faces.size() >= HalfedgeId().index() || n_vertices >= VertexId().index()) {
+    throw GeometryError(fmt::format("{} triangles are more than can be numbered: at most {}", mesh.faces.size(),
+                                    HalfedgeId().index() / 3 - 1));
+  }
   origin_.reserve(3 * mesh.faces.size());
   for (const auto& face : mesh.faces) origin_.insert(origin_.end(), face.begin(), face.end());
   const ByOrigin groups = group_by_origin(origin_, n_vertices);

@@ -7,6 +7,7 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/io/pending_file.h"
 #include "nearwall/layers/grow.h"
+#include "nearwall/pipeline/faults_file.h"
 #include "pipeline/output_directory.h"
 #include "pipeline/prepare.h"
 #include "pipeline/result_files.h"
@@ -123,9 +124,8 @@ IdVector<FaceId, quality::FaceCoverage> measure(const layers::Wall& wall, const 
                                                 const std::vector<PatchSettings>& patches, Report& report) {
   report.quality = quality::layer_quality(layers, wall.surface);
   const auto requests = requests_of(patches);
-  auto coverage =
-      quality::face_coverage(layers, wall.surface, requests,
-                             {growth.asked_thickness, growth.reached_thickness, growth.asked_levels, growth.reason});
+  auto coverage = quality::face_coverage(layers, wall.surface, requests,
+                                         {growth.asked_thickness, growth.reached_thickness, growth.reason});
   const auto by_patch = quality::patch_coverage(wall.surface, coverage, requests, wall.is_wetted);
   for (const PatchId p : by_patch.ids()) {
     const PatchSettings& patch = patches[p.index()];

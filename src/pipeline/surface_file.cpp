@@ -1,7 +1,6 @@
 #include "pipeline/surface_file.h"
 
 #include <algorithm>
-#include <map>
 
 #include "nearwall/certify/certificate.h"
 #include "nearwall/geometry/angles.h"
@@ -103,22 +102,6 @@ io::PolyDataFile front_file(const layers::Wall& wall, const layers::Growth& grow
                                return to_int(window.moves() ? window.end : Level{0});
                              })});
   file.point_data.push_back({"Thickness", values(lines, [&](LineId l) { return growth.reached_thickness[l]; })});
-  return file;
-}
-
-io::PolyDataFile faults_file(const mesh::SurfaceMesh& surface, const std::vector<surface::Fault>& faults) {
-  std::map<FaceId, std::int32_t> kinds;  // the first fault names a triangle with several
-  for (const surface::Fault& fault : faults) {
-    for (const FaceId f : fault.triangles) kinds.emplace(f, to_int(fault.kind));
-  }
-  std::vector<FaceId> triangles;
-  Integers kind;
-  for (const auto& [f, k] : kinds) {
-    triangles.push_back(f);
-    kind.push_back(k);
-  }
-  io::PolyDataFile file = io::polydata_of(surface, triangles);
-  file.triangle_data.push_back({"Fault", std::move(kind)});
   return file;
 }
 

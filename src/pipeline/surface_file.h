@@ -3,7 +3,6 @@
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/quality/coverage.h"
-#include "nearwall/surface/admission.h"
 
 namespace nearwall::pipeline {
 
@@ -14,8 +13,5 @@ io::PolyDataFile surface_file(const layers::Wall& wall, const layers::Growth& gr
 
 /// NAME-front.vtp: the outer front.
 io::PolyDataFile front_file(const layers::Wall& wall, const layers::Growth& growth);
-
-/// NAME-faults.vtp: the triangles concerned by any fault, with the number of its kind. \param surface  as inspected
-io::PolyDataFile faults_file(const mesh::SurfaceMesh& surface, const std::vector<surface::Fault>& faults);
 
 }  // namespace nearwall::pipeline

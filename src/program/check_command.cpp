@@ -10,6 +10,7 @@
 #include "nearwall/geometry/box.h"
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/mesh/topology.h"
+#include "nearwall/pipeline/faults_file.h"
 #include "nearwall/surface/admission.h"
 #include "nearwall/surface/features.h"
 #include "nearwall/surface/normals.h"
@@ -59,22 +60,6 @@ std::optional<FeatureCounts> count_features(const mesh::SurfaceMesh& mesh, doubl
   return counts;
 } catch (const GeometryError&) {
   return std::nullopt;
-}
-
-/// The triangles of all faults, with the fault's number in the cell array `Fault`; a triangle comes once for each.
-io::PolyDataFile offending_triangles(const Admission& admission, const mesh::SurfaceMesh& input) {
-  std::vector<FaceId> triangles;
-  std::vector<std::int32_t> kinds;
-  io::StringArray names{"FaultNames", {}};
-  for (const Fault& fault : admission.faults) {
-    triangles.insert(triangles.end(), fault.triangles.begin(), fault.triangles.end());
-    kinds.insert(kinds.end(), fault.triangles.size(), static_cast<std::int32_t>(names.values.size()));
-    names.values.emplace_back(surface::fault_name(fault.kind));
-  }
-  io::PolyDataFile file = io::polydata_of(input, triangles);
-  file.triangle_data.push_back({"Fault", std::move(kinds)});
-  file.field_data.push_back(std::move(names));
-  return file;
 }
 
 json json_of(const Fault& fault) {
@@ -162,7 +147,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   }
   console.print("faults\n" + faults(admission));
   if (arguments.output) {
-    io::write_polydata(*arguments.output, offending_triangles(admission, loaded.mesh));
+    io::write_polydata(*arguments.output, pipeline::faults_file(loaded.mesh, admission.faults));
     console.print(fmt::format("the triangles concerned: {}\n", *arguments.output));
   }
   return ExitCode::Fault;

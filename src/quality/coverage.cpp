@@ -15,7 +15,6 @@ constexpr double kPercent = 100;
 /// What one line of a triangle contributes.
 struct LineShare {
   Level end = 0;            ///< last level it reaches; 0 if it never moves
-  bool has_all = false;     ///< all the layers that were asked for
   double fraction = 0;      ///< of the asked thickness
   double first_height = 0;  ///< distance of its first node from the triangle's plane
   double thickness = 0;     ///< distance of its last node from the triangle's plane
@@ -27,7 +26,6 @@ LineShare share_of(const mesh::Lines& lines, LineId line, const Vec3& normal, co
   if (!window.moves()) return s;
   const Vec3& base = lines.base[line];
   s.end = window.end;
-  s.has_all = outcome.asked_levels[line] > 0 && window.end >= outcome.asked_levels[line];
   s.first_height = dot(lines.position(line, static_cast<Level>(window.start + 1)) - base, normal);
   s.thickness = dot(lines.position(line, window.end) - base, normal);
   if (outcome.asked_thickness[line] > 0) s.fraction = outcome.reached_thickness[line] / outcome.asked_thickness[line];
@@ -43,14 +41,12 @@ FaceCoverage cover(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
   FaceCoverage face;
   face.layers = request.count;
   face.has_any = layers.column_end(column) > layers.column_offset(column);
-  face.has_all_layers = true;
   std::array<double, 3> first_heights{}, thicknesses{}, asked{};
   double smallest_fraction = 2;
   for (std::size_t k = 0; k < 3; ++k) {
     const LineId line = layers.front().faces[column].lines[k];
     const LineShare s = share_of(layers.lines(), line, normal, outcome);
     face.layers = std::min(face.layers, s.end);
-    face.has_all_layers = face.has_all_layers && s.has_all;
     first_heights[k] = s.first_height;
     thicknesses[k] = s.thickness;
     asked[k] = outcome.asked_thickness[line] > 0 ? outcome.asked_thickness[line] : request.total_thickness;
@@ -63,12 +59,16 @@ FaceCoverage cover(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
     }
   }
   const auto mean = [](const std::array<double, 3>& v) { return sum3(v[0], v[1], v[2]) / 3; };
+  face.has_all_layers = request.count > 0 && face.layers == request.count;
   face.first_height = mean(first_heights);
   face.thickness = mean(thicknesses);
   face.is_full = face.has_all_layers && face.thickness >= kFullThickness * mean(asked);
   if (face.is_full) face.reason = mesh::LimitReason::None;
-  // No line was limited, yet they lean so far that the triangle's own layers are thin.
-  if (!face.is_full && face.reason == mesh::LimitReason::None) face.reason = mesh::LimitReason::Visibility;
+  if (!face.is_full && face.reason == mesh::LimitReason::None) {
+    // No line was limited: it shares a line with a patch of fewer layers, or its lines lean so far that its own are
+    // thin.
+    face.reason = face.has_all_layers ? mesh::LimitReason::Visibility : mesh::LimitReason::PatchEdge;
+  }
   return face;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "nearwall/core/errors.h"
 #include "nearwall/geometry/measures.h"
 #include "tests/support/gallery.h"
 
@@ -124,6 +125,15 @@ TEST(Grow, LosesLayersAtAHairGapOnly) {
     EXPECT_EQ(growth.lines.windows[LineId(v.index())].moves(), !at_the_gap);
     EXPECT_EQ(growth.reason[LineId(v.index())], at_the_gap ? LimitReason::Gap : LimitReason::None);
   }
+}
+
+TEST(Grow, RefusesSchedulesThatAreNone) {
+  const mesh::SurfaceMesh cube = shapes_for_tests::cube();
+  const TestWall wall(cube);
+  EXPECT_THROW(grow(wall.wall(), GrowOptions()), InputError);
+  EXPECT_THROW(grow(wall.wall(), options_for(cube, {})), InputError);
+  EXPECT_THROW(grow(wall.wall(), options_for(cube, {0.1, 0})), InputError);
+  EXPECT_THROW(grow(wall.wall(), options_for(cube, std::vector<double>(65535, 1e-9))), InputError);
 }
 
 TEST(Grow, GivesEachPatchItsOwnNumberOfLayers) {

@@ -16,8 +16,7 @@ IdVector<PatchId, PatchRequest> requests() {
 PatchCoverage coverage_of(const PlateLayers& p,
                           const IdVector<FaceId, char>& is_wetted = IdVector<FaceId, char>(2, 1)) {
   const mesh::LayerMesh layers(p.front, p.lines);
-  const auto faces =
-      face_coverage(layers, p.wall, requests(), {p.asked_thickness, p.reached_thickness, p.asked_levels, p.reason});
+  const auto faces = face_coverage(layers, p.wall, requests(), {p.asked_thickness, p.reached_thickness, p.reason});
   return patch_coverage(p.wall, faces, requests(), is_wetted)[PatchId(0)];
 }
 
@@ -47,6 +46,14 @@ TEST(Coverage, OfATriangleWithAShortLineCountsTheLayersItHas) {
   EXPECT_EQ(c.mean_layers, 2.5);
   EXPECT_EQ(limited_by(c, LimitReason::Gap), 50);
   EXPECT_NEAR(c.thickness.min, (7 + 7 + 3) / 3.0, 1e-15);
+}
+
+TEST(Coverage, BesideAPatchOfFewerLayersIsNotAll) {
+  PlateLayers plate;
+  plate.limit(1, 2, LimitReason::None);  // as scheduled on the neighbour, which has two layers
+  const PatchCoverage c = coverage_of(plate);
+  EXPECT_EQ(c.all_layers_percent, 50);
+  EXPECT_EQ(limited_by(c, LimitReason::PatchEdge), 50);
 }
 
 TEST(Coverage, OfABlockedCornerLowersTheFirstHeight) {
@@ -103,11 +110,10 @@ TEST(Coverage, GivesNoReasonWhereNothingIsAsked) {
   PlateLayers plate;
   for (std::size_t i = 0; i < 4; ++i) {
     plate.limit(i, 0, LimitReason::None);
-    plate.asked_levels[LineId(i)] = 0;
     plate.asked_thickness[LineId(i)] = 0;
   }
   const mesh::LayerMesh layers(plate.front, plate.lines);
-  const LineOutcome outcome{plate.asked_thickness, plate.reached_thickness, plate.asked_levels, plate.reason};
+  const LineOutcome outcome{plate.asked_thickness, plate.reached_thickness, plate.reason};
   for (const FaceCoverage& face : face_coverage(layers, plate.wall, requests(), outcome)) {
     EXPECT_EQ(face.reason, LimitReason::None);
     EXPECT_FALSE(face.has_any || face.has_all_layers || face.is_full);
@@ -117,8 +123,8 @@ TEST(Coverage, GivesNoReasonWhereNothingIsAsked) {
 TEST(Coverage, OfAPatchWithoutLayersIsItsArea) {
   const PlateLayers p;
   const IdVector<PatchId, PatchRequest> none(1, PatchRequest{false, 0, 0, 0});
-  const auto faces = face_coverage({p.front, p.lines}, p.wall, none,
-                                   {p.asked_thickness, p.reached_thickness, p.asked_levels, p.reason});
+  const auto faces =
+      face_coverage({p.front, p.lines}, p.wall, none, {p.asked_thickness, p.reached_thickness, p.reason});
   const PatchCoverage c = patch_coverage(p.wall, faces, none, IdVector<FaceId, char>(2, 1))[PatchId(0)];
   EXPECT_EQ(c.area, 4);
   EXPECT_FALSE(c.has_layers);

@@ -30,7 +30,6 @@ struct PlateLayers {
   mesh::Lines lines = straight_up();
   IdVector<LineId, double> asked_thickness{4, 7.0};
   IdVector<LineId, double> reached_thickness{4, 7.0};
-  IdVector<LineId, Level> asked_levels{4, Level{3}};
   IdVector<LineId, mesh::LimitReason> reason{4, mesh::LimitReason::None};
 
   mesh::Lines straight_up() const {

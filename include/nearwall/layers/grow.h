@@ -35,7 +35,6 @@ struct Growth {
   IdVector<VertexId, surface::PointNormal> normals;  ///< before smoothing: what the vertex sees
   IdVector<LineId, double> asked_thickness;          ///< normal to the wall [length]; 0 where nothing is asked
   IdVector<LineId, double> reached_thickness;        ///< normal to the wall [length]
-  IdVector<LineId, Level> asked_levels;              ///< layers asked for
   IdVector<LineId, mesh::LimitReason> reason;        ///< None where all was reached
   int rounds = 0;                                    ///< of certify and shrink
   int smoothing_iterations = 0;
@@ -56,6 +55,7 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall);
 /// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what
 /// fails is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md. Memory:
 /// O(n_vertices + n_faces), whatever the number of layers.
+/// \throws InputError unless each patch has a schedule, and those with layers 1 to 65534 heights above zero
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress = silent_progress());
 
 }  // namespace nearwall::layers

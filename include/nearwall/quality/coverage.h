@@ -26,7 +26,6 @@ struct PatchRequest {
 struct LineOutcome {
   const IdVector<LineId, double>& asked_thickness;  ///< 0 where nothing is asked
   const IdVector<LineId, double>& reached_thickness;
-  const IdVector<LineId, Level>& asked_levels;
   const IdVector<LineId, mesh::LimitReason>& reason;
 };
 
