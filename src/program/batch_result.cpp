@@ -72,6 +72,15 @@ std::string shortened(const std::string& text) {
   return line.substr(0, cut) + " …";
 }
 
+/// The message with the path of the case as its label says it: a table should not depend on where the folder lies.
+std::string with_label(std::string message, const std::string& label) {
+  const std::size_t at = message.find(label);
+  if (at == std::string::npos || at == 0 || message[at - 1] != '/') return message;
+  const std::size_t before = message.find_last_of(" '\"", at);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return message.erase(begin, at - begin);
+}
+
 }  // namespace
 
 BatchResult read_result(const std::string& label, const ChildEnd& end, double seconds) {
@@ -108,7 +117,7 @@ Table table_of(const std::vector<BatchResult>& results) {
     const bool has_mesh = r.n_cells > 0;
     table.add_row({r.label, r.result, r.n_triangles > 0 ? grouped(r.n_triangles) : "-",
                    has_mesh ? grouped(r.n_cells) : "-", has_mesh ? fmt::format("{:.1f}", r.coverage_percent) : "-",
-                   fmt::format("{:.2f}", r.seconds), shortened(r.message)});
+                   fmt::format("{:.2f}", r.seconds), shortened(with_label(r.message, r.label))});
   }
   return table;
 }

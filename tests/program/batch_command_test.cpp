@@ -105,6 +105,17 @@ TEST(BatchCommand, MeshesSurfacesByATemplate) {
   EXPECT_THAT(table, HasSubstr("| open.obj | surface |"));
 }
 
+TEST(BatchCommand, TellsNoPathOfTheMachineInItsTable) {
+  Workplace place;
+  std::filesystem::create_directory(place.path("surfaces"));
+  place.write("surfaces/broken.off", "OFF\n3 1 0\nno numbers\n");
+  place.write_case("case.toml", "any.stl");
+  EXPECT_EQ(place.run({"batch", "surfaces", "--template", "case.toml", "--table", "table.md"}).exit_code, 1);
+  const std::string table = place.read("table.md");
+  EXPECT_THAT(table, HasSubstr("| broken.off:2: "));
+  EXPECT_THAT(table, testing::Not(HasSubstr(place.path("surfaces").string())));
+}
+
 TEST(BatchCommand, FindsNothingToDo) {
   Workplace place;
   std::filesystem::create_directory(place.path("empty"));
