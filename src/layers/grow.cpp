@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -16,9 +17,6 @@ namespace nearwall::layers {
 
 namespace {
 
-/// Rounds of certify and shrink after which whatever still fails is blocked. Seen on real surfaces: 1 to 40.
-constexpr int kPatientRounds = 100;
-
 std::vector<VertexId> merged(std::vector<VertexId> a, const std::vector<VertexId>& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::sort(a.begin(), a.end());
@@ -29,9 +27,10 @@ std::vector<VertexId> merged(std::vector<VertexId> a, const std::vector<VertexId
 /// The loop of certify and shrink. Only columns and front triangles whose lines changed are looked at again.
 class Settling {
  public:
-  Settling(const Wall& wall, const HeightRows& rows, VertexField& field, Growth& growth)
+  Settling(const Wall& wall, const HeightRows& rows, int patient_rounds, VertexField& field, Growth& growth)
       : wall_(wall),
         rows_(rows),
+        patient_rounds_(patient_rounds),
         field_(field),
         growth_(growth),
         shrinker_(wall, growth.front, field),
@@ -41,8 +40,9 @@ class Settling {
 
   void run(ProgressSink& progress) {
     while (const auto failed = one_round()) {
-      if (++growth_.rounds == kPatientRounds) shrinker_.lose_patience();
-      lower(*failed);
+      ++growth_.rounds;
+      if (growth_.rounds > patient_rounds_) shrinker_.lose_patience();
+      lower(growth_.rounds > 2 * patient_rounds_ ? with_their_components(*failed) : *failed);
       // The number of rounds is not known beforehand: the bar nears its end without reaching it.
       progress.update(1.0 - 1.0 / (1.0 + growth_.rounds));
     }
@@ -68,6 +68,22 @@ class Settling {
     return std::nullopt;
   }
 
+  /// Blocks the whole of each component that one of the vertices lies on.
+  std::vector<VertexId> with_their_components(const std::vector<VertexId>& failed) {
+    const auto component_of = [&](VertexId v) {
+      return component_[mesh::Topology::face(wall_.topology.fan(v).front())].index();
+    };
+    std::set<std::uint32_t> components;
+    for (const VertexId v : failed) components.insert(component_of(v));
+    std::vector<VertexId> blocked;
+    for (const VertexId v : field_.thickness.ids()) {
+      if (wall_.topology.fan(v).empty() || !components.contains(component_of(v))) continue;
+      field_.lower(v, 0, mesh::LimitReason::Quality);
+      blocked.push_back(v);
+    }
+    return blocked;
+  }
+
   void lower(const std::vector<VertexId>& failed) {
     expect(!failed.empty(), "a failed certificate to name a line that can still be lowered");
     const auto changed = merged(failed, grade(wall_, field_, failed));
@@ -89,6 +105,7 @@ class Settling {
 
   const Wall& wall_;
   const HeightRows& rows_;
+  int patient_rounds_;
   VertexField& field_;
   Growth& growth_;
   Shrinker shrinker_;
@@ -158,7 +175,7 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   progress.begin_stage("layers");
   growth.front = mesh::plain_front(wall.surface);
   growth.lines = make_lines(wall, growth.front, rows, field);
-  Settling(wall, rows, field, growth).run(progress);
+  Settling(wall, rows, options.patient_rounds, field, growth).run(progress);
   record(field, growth);
   progress.end_stage();
   return growth;

@@ -127,6 +127,23 @@ TEST(Grow, LosesLayersAtAHairGapOnly) {
   }
 }
 
+TEST(Grow, EndsAtOnceWithoutPatience) {
+  // Layers far thicker than the body need several rounds; with none to spare its whole component is blocked, and no
+  // other.
+  const auto star = gallery::catalogued("star", {{"points", 12}, {"inner-radius", 0.15}, {"height", 2}}, 0.2);
+  const auto surface = shapes_for_tests::joined(star, shapes_for_tests::sphere(2, 1.0, {100, 0, 0}));
+  const TestWall wall(surface);
+  GrowOptions options = options_for(surface, geometric(3, 1.3, 8));
+  EXPECT_GT(grow(wall.wall(), options).rounds, 1);
+  options.patient_rounds = 0;
+  const Growth growth = grow(wall.wall(), options);
+  EXPECT_EQ(growth.rounds, 1);
+  for (const VertexId v : surface.points.ids()) {
+    EXPECT_EQ(growth.lines.windows[LineId(v.index())].moves(), surface.points[v].x() > 50);
+  }
+  EXPECT_TRUE(certify::certify_layers(mesh::LayerMesh(growth.front, growth.lines), wall.certified_wall()).is_valid());
+}
+
 TEST(Grow, RefusesSchedulesThatAreNone) {
   const mesh::SurfaceMesh cube = shapes_for_tests::cube();
   const TestWall wall(cube);
