@@ -46,6 +46,12 @@ class Settling {
       // The number of rounds is not known beforehand: the bar nears its end without reaching it.
       progress.update(1.0 - 1.0 / (1.0 + growth_.rounds));
     }
+    expect_costly(
+        [&] {
+          return certify::bad_columns(growth_.front, growth_.lines).empty() &&
+                 certify::front_intersections(certify::front_surface(growth_.front, growth_.lines)).empty();
+        },
+        "the certificate of all columns and the whole front to hold where that of what changed does");
   }
 
  private:

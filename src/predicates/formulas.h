@@ -54,7 +54,7 @@ template <class T>
 struct WedgeEdges {
   Vector<T> a1, a2;               ///< a1 − a0, a2 − a0
   Vector<T> b1, b2;               ///< b1 − b0, b2 − b0
-  std::array<Vector<T>, 3> rise;  ///< bi − ai
+  std::array<Vector<T>, 3> rise;  ///< b_i − a_i
 };
 
 template <class T>

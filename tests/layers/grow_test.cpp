@@ -29,7 +29,7 @@ TEST(Grow, MakesTheOffsetOfACubeWithSharpEdges) {
   }
 }
 
-TEST(Grow, KeepsTheFirstHeightOfASphereToAThousandth) {
+TEST(Grow, KeepsTheFirstHeightOfASphereToThreeThousandths) {
   const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
   const TestWall wall(sphere);
   const auto heights = geometric(0.01, 1.2, 20);
