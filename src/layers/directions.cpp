@@ -58,7 +58,8 @@ double stretch_of(const Wall& wall, VertexId v, const Vec3& direction) {
 
 int set_directions(const Wall& wall, const GrowOptions& options, VertexField& field,
                    IdVector<VertexId, surface::PointNormal>& normals) {
-  normals = surface::point_normals(wall.surface, wall.topology, wall.features, options.normals);
+  normals = surface::point_normals(wall.surface, wall.topology, wall.features, {.method = options.normals});
+  surface::replace_blind_normals(wall.surface, wall.topology, wall.features, normals);
   auto smoothed = normals;
   surface::SmoothingOptions smoothing;
   smoothing.filter = options.filter;

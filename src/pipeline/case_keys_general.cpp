@@ -130,7 +130,6 @@ std::vector<Key> normals_keys() {
                   .kind = Kind::Choice,
                   .default_text = "\"most-visible\"",
                   .choices = {surface::kNormalMethodNames.begin(), surface::kNormalMethodNames.end()},
-                  .later = {surface::kLaterNormalMethods.begin(), surface::kLaterNormalMethods.end()},
                   .doc = "direction of a line where one normal has to see several faces",
                   .set = [](Target t, const CaseValue& v) { t.settings.normals = *surface::normal_method(text(v)); },
                   .get = [](const Case& c,

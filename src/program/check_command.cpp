@@ -13,7 +13,7 @@
 #include "nearwall/pipeline/faults_file.h"
 #include "nearwall/surface/admission.h"
 #include "nearwall/surface/features.h"
-#include "nearwall/surface/normals.h"
+#include "nearwall/surface/point_normals.h"
 #include "program/cli.h"
 #include "program/loaded_surface.h"
 #include "program/surface_arguments.h"
@@ -45,7 +45,7 @@ struct FeatureCounts {
 std::optional<FeatureCounts> count_features(const mesh::SurfaceMesh& mesh, double ridge_angle) try {
   const mesh::Topology topology(mesh);
   const surface::Features features = surface::find_features(mesh, topology, {.ridge_angle = ridge_angle});
-  const auto normals = surface::point_normals(mesh, topology, features, surface::NormalMethod::MostVisible);
+  const auto normals = surface::point_normals(mesh, topology, features);
   const auto count = [&](PointKind kind) {
     return static_cast<std::size_t>(std::count(features.kind.begin(), features.kind.end(), kind));
   };

@@ -11,7 +11,7 @@
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
-#include "nearwall/surface/normals.h"
+#include "nearwall/surface/point_normals.h"
 #include "program/cli.h"
 #include "program/loaded_surface.h"
 #include "program/surface_arguments.h"
@@ -31,11 +31,7 @@ struct NormalsArguments {
 surface::NormalMethod method_of(const std::string& name) {
   if (const auto method = surface::normal_method(name)) return *method;
   const std::vector<std::string> known(surface::kNormalMethodNames.begin(), surface::kNormalMethodNames.end());
-  const std::string there_are = fmt::format("{}", fmt::join(known, " and "));
-  const auto& later = surface::kLaterNormalMethods;
-  if (std::find(later.begin(), later.end(), name) != later.end()) {
-    throw InputError(fmt::format("--method {}: not in this version, which has {}", name, there_are));
-  }
+  const std::string there_are = fmt::format("{}", fmt::join(known, ", "));
   const std::string near = nearest(name, known);
   throw InputError(fmt::format("--method {}: unknown{}; there are {}", name,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near), there_are));
@@ -76,8 +72,8 @@ ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
   const surface::FeatureOptions options{.ridge_angle = geometry::to_radians(arguments.surface.ridge_angle_deg)};
   const auto features =
       staged(console, "features", [&] { return surface::find_features(loaded.mesh, topology, options); });
-  const PointNormals normals =
-      staged(console, "normals", [&] { return surface::point_normals(loaded.mesh, topology, features, method); });
+  const PointNormals normals = staged(
+      console, "normals", [&] { return surface::point_normals(loaded.mesh, topology, features, {.method = method}); });
   io::write_polydata(arguments.output, with_normals(loaded.mesh, topology, features, normals));
 
   const auto n_blind = std::count_if(normals.begin(), normals.end(), [](const auto& n) { return !n.is_visible; });

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "nearwall/surface/normals.h"
+#include "nearwall/surface/point_normals.h"
 
 namespace nearwall::surface {
 

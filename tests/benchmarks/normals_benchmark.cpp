@@ -6,7 +6,7 @@
 
 #include "nearwall/core/parallel.h"
 #include "nearwall/surface/features.h"
-#include "nearwall/surface/normals.h"
+#include "nearwall/surface/point_normals.h"
 #include "nearwall/surface/smoothing.h"
 #include "tests/support/shapes.h"
 
@@ -42,7 +42,7 @@ const Body& rippled_body() {
 
 void normals_of(benchmark::State& state, const Body& body, NormalMethod method) {
   const ThreadLimit one(1);
-  for (auto _ : state) benchmark::DoNotOptimize(point_normals(body.surface, body.topology, body.features, method));
+  for (auto _ : state) benchmark::DoNotOptimize(point_normals(body.surface, body.topology, body.features, {.method = method}));
   state.SetItemsProcessed(state.iterations() * body.n_points());
 }
 
@@ -57,7 +57,7 @@ BENCHMARK(rippled_body_most_visible)->Unit(benchmark::kMillisecond);
 
 void sweeps_of(benchmark::State& state, const Body& body, SmoothingFilter filter) {
   const ThreadLimit one(1);
-  const auto before = point_normals(body.surface, body.topology, body.features, NormalMethod::MostVisible);
+  const auto before = point_normals(body.surface, body.topology, body.features);
   SmoothingOptions options;
   options.filter = filter;
   options.iterations = kSweeps;

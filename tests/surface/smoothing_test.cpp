@@ -35,7 +35,7 @@ struct Prepared {
   explicit Prepared(mesh::SurfaceMesh s, const FeatureOptions& options = {})
       : surface(std::move(s)), topology(surface), features(find_features(surface, topology, options)) {}
 
-  Normals normals() const { return point_normals(surface, topology, features, NormalMethod::MostVisible); }
+  Normals normals() const { return point_normals(surface, topology, features); }
   Normals smoothed(Normals normals, const SmoothingOptions& options) const {
     smooth_normals(surface, topology, features, options, normals);
     return normals;

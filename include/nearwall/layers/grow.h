@@ -10,7 +10,7 @@
 #include "nearwall/mesh/surface_mesh.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
-#include "nearwall/surface/normals.h"
+#include "nearwall/surface/point_normals.h"
 #include "nearwall/surface/smoothing.h"
 
 namespace nearwall::layers {

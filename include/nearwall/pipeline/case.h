@@ -10,7 +10,7 @@
 #include "nearwall/spacing/schedule.h"
 #include "nearwall/spacing/wall_units.h"
 #include "nearwall/surface/admission.h"
-#include "nearwall/surface/normals.h"
+#include "nearwall/surface/point_normals.h"
 #include "nearwall/surface/smoothing.h"
 
 namespace nearwall {

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "nearwall/core/vec3.h"
-#include "nearwall/mesh/surface_mesh.h"
-#include "nearwall/mesh/topology.h"
-#include "nearwall/surface/features.h"
 
 namespace nearwall::surface {
 
@@ -30,64 +25,48 @@ struct VisibleNormal {
 /// <= 24.
 std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_normals);
 
-/// Weight of a face at its vertex in a weighted normal; the names of Ubach 2013 and Bohdal 2017.
-enum class Weight { Angle };
+/// Direction that keeps farthest from the faces themselves.
+struct NormalNormal {
+  Vec3 direction;                   ///< unit vector
+  double min_distance = 0;          ///< angle to the nearest face [rad], in (0, pi)
+  bool in_visibility_cone = false;  ///< whether it sees all faces: if not, one line is not enough here
+};
 
-/// Weighted mean of the normals of the faces round `apex`, normalised.
+/// The most normal normal: the direction in the fluid whose smallest angle to the faces round `apex` (as triangles, not
+/// as planes) is largest: the centre of the largest circle that fits between the arcs in which the faces cut the unit
+/// sphere (Aubry et al. 2015, put right in docs/theory/most-normal.md). Of several such directions, the one nearest to
+/// the most visible normal.
+/// \param ring  neighbours counterclockwise seen from outside, at least three; faces join successive ones and close up
+/// \returns  nullopt if no direction sees all faces, or if the ring does not go round once
+/// \throws   InputError if a coordinate is not finite
+/// Distance optimal to 1e-9 rad.
+std::optional<NormalNormal> most_normal_normal(const Vec3& apex, std::span<const Vec3> ring);
+
+/// Weight of a face at its vertex A in a weighted normal, with b, c the lengths of its edges at A, alpha the angle
+/// between them, a the length of the opposite edge.
+/// Source: Ubach et al. 2013, equations (9) to (21); Bohdal 2017, section 2.1; docs/normals.md.
+enum class Weight {
+  Uniform,              ///< 1 (Gouraud)
+  Area,                 ///< b c sin(alpha) / 2 (Akima)
+  InverseArea,          ///< 2 / (b c sin(alpha))
+  ProjectedArea,        ///< area seen along the z axis (Akima2), for height fields
+  Angle,                ///< alpha (Thuermer)
+  InverseRootEdges,     ///< 1 / sqrt(b c) (Little, r = 1/2)
+  InverseEdges,         ///< 1 / (b c) (Little, r = 1)
+  InverseSquaredEdges,  ///< 1 / (b c)^2 (Little, r = 2)
+  Max,                  ///< sin(alpha) / (b c): exact on spheres
+  LittleMax,            ///< (1 + sin(alpha)) / (2 b c)
+  InverseDiameter,      ///< sin(alpha) / a
+  AngleOverDiameter,    ///< alpha sin(alpha) / a
+  InverseCircumArea,    ///< (sin(alpha) / a)^2
+  AngleOverCircumArea,  ///< alpha (sin(alpha) / a)^2
+};
+
+/// Weighted mean of the unit normals of the faces round `apex`, normalised. Faces without area are passed over.
 /// \param ring    neighbours counterclockwise seen from outside
 /// \param closed  whether the last neighbour and the first span a face, too
 /// \returns       unit vector; zero if the weighted normals cancel or no face has an area
+/// Within 1e-13 of the formulas. Cost: O(n), no memory.
 Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring, bool closed = true);
-
-enum class NormalMethod { MostVisible, Angle };
-
-/// Names of the methods, in the order of NormalMethod, as in case files and on the command line.
-inline constexpr std::array<std::string_view, 2> kNormalMethodNames = {"most-visible", "angle"};
-
-/// Names of methods that this version knows and does not do.
-inline constexpr std::array<std::string_view, 24> kLaterNormalMethods = {"most-normal",
-                                                                         "kallinderis",
-                                                                         "pirzadeh",
-                                                                         "iterative",
-                                                                         "thin-plate",
-                                                                         "hardy",
-                                                                         "shepard",
-                                                                         "linear-fit",
-                                                                         "quadratic-fit",
-                                                                         "renka-cline",
-                                                                         "nielson",
-                                                                         "uniform",
-                                                                         "area",
-                                                                         "inverse-area",
-                                                                         "projected-area",
-                                                                         "little-1",
-                                                                         "little-1/2",
-                                                                         "little-2",
-                                                                         "max",
-                                                                         "little-max",
-                                                                         "inverse-diameter",
-                                                                         "angle-over-diameter",
-                                                                         "inverse-circumarea",
-                                                                         "angle-over-circumarea"};
-
-std::string_view method_name(NormalMethod method);
-
-/// nullopt if this version has no method of that name.
-std::optional<NormalMethod> normal_method(std::string_view name);
-
-struct PointNormal {
-  Vec3 direction;          ///< unit vector; where nothing sees all faces, the angle-weighted normal
-  double max_angle = 0;    ///< to the worst adjacent face [rad]; >= pi / 2: blind
-  bool is_visible = true;  ///< decided exactly
-};
-
-/// One normal for each vertex. MostVisible takes the angle-weighted mean where its worst cosine is above
-/// `kVisibilityTrigger` and the direct method elsewhere (Aubry & Loehner 2008, section 5). Faces without area are
-/// passed over. Open surfaces: a boundary vertex has the faces it has. Cost: O(n_faces) but for vertices with very many
-/// faces; on all threads.
-IdVector<VertexId, PointNormal> point_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology,
-                                              const Features& features, NormalMethod method);
-
-inline constexpr double kVisibilityTrigger = 0.95;
 
 }  // namespace nearwall::surface

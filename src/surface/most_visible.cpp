@@ -54,14 +54,6 @@ class Scratch {
   std::size_t n_ = 0;
 };
 
-double face_weight(Weight weight, const Vec3& b, const Vec3& c) {
-  switch (weight) {
-    case Weight::Angle:
-      return geometry::angle_between(b, c);
-  }
-  throw InputError("weighted_normal: unknown weight");
-}
-
 }  // namespace
 
 bool sees_all(const Vec3& direction, std::span<const Vec3> normals) {
@@ -101,24 +93,6 @@ std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_norm
   }
   if (given.all().empty()) return std::nullopt;
   return most_visible_of(given.all(), units.all());
-}
-
-std::string_view method_name(NormalMethod method) { return kNormalMethodNames[static_cast<std::size_t>(method)]; }
-
-std::optional<NormalMethod> normal_method(std::string_view name) {
-  const auto at = std::find(kNormalMethodNames.begin(), kNormalMethodNames.end(), name);
-  if (at == kNormalMethodNames.end()) return std::nullopt;
-  return static_cast<NormalMethod>(at - kNormalMethodNames.begin());
-}
-
-Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring, bool closed) {
-  Vec3 sum;
-  const std::size_t n_faces = closed ? ring.size() : std::max<std::size_t>(ring.size(), 1) - 1;
-  for (std::size_t k = 0; k < n_faces; ++k) {
-    const Vec3 b = ring[k] - apex, c = ring[k + 1 < ring.size() ? k + 1 : 0] - apex;
-    sum += normalized(cross(b, c)) * face_weight(weight, b, c);
-  }
-  return normalized(sum);
 }
 
 }  // namespace nearwall::surface

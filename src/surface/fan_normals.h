@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nearwall/surface/point_normals.h"
+
+namespace nearwall::surface {
+
+/// Normals of one vertex after the other, from the faces round it alone, with room that is used again.
+class FanNormals {
+ public:
+  /// \param is_left_out  (n_faces) faces that weighted means pass over; empty: none
+  FanNormals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
+             const NormalOptions& options, const std::vector<char>& is_left_out)
+      : surface_(surface), topology_(topology), features_(features), options_(options), is_left_out_(is_left_out) {}
+
+  /// Normal of v for a run of the faces round it.
+  /// \param faces  halfedges that leave v, one for each face, counterclockwise without a gap
+  PointNormal of(VertexId v, std::span<const HalfedgeId> faces);
+
+  /// Weighted mean of the run's face normals, a unit vector; that of the first face where they cancel, zero without
+  /// any face.
+  Vec3 mean(Weight weight, VertexId v, std::span<const HalfedgeId> faces);
+
+  /// `direction` as the normal of v, held against all faces of the run.
+  PointNormal judge(const Vec3& direction, std::span<const HalfedgeId> faces);
+
+ private:
+  void gather(std::span<const HalfedgeId> faces);
+  void weigh(Weight weight, VertexId v, std::span<const HalfedgeId> faces);
+  void drop_unsuitable(VertexId v);
+  PointNormal optimal(VertexId v, std::span<const HalfedgeId> faces);
+  PointNormal most_visible_or(const Vec3& direction, bool is_fallback);
+
+  const mesh::SurfaceMesh& surface_;
+  const mesh::Topology& topology_;
+  const Features& features_;
+  const NormalOptions& options_;
+  const std::vector<char>& is_left_out_;
+  std::vector<Vec3> normals_;  // of the run's faces with an area
+  std::vector<Vec3> terms_;    // those that a mean takes in
+  std::vector<double> weights_;
+  std::vector<Vec3> ring_;
+};
+
+}  // namespace nearwall::surface
