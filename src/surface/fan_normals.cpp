@@ -1,9 +1,6 @@
 #include "surface/fan_normals.h"
 
-#include <algorithm>
-
 #include "nearwall/geometry/angles.h"
-#include "surface/corner_weight.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 
@@ -14,23 +11,13 @@ namespace {
 /// Fewer normals than this tell nothing about which of them is unsuitable (Bohdal 2017, algorithm 1).
 constexpr std::size_t kEnoughToJudge = 5;
 
-bool is_near(const Vec3& mean, std::span<const Vec3> normals) {
-  return 1.0 - 0.5 * squared_chord_to_worst(mean, normals) > kVisibilityTrigger;
-}
+/// Whether a unit normal is that of a face with an area.
+bool has_area(const Vec3& normal) { return squared_norm(normal) > 0; }
 
 }  // namespace
 
-void FanNormals::gather(std::span<const HalfedgeId> faces) {
-  normals_.clear();
-  for (const HalfedgeId h : faces) {
-    const Vec3& normal = features_.face_normal[mesh::Topology::face(h)];
-    if (normal != Vec3{}) normals_.push_back(normal);
-  }
-}
-
-void FanNormals::weigh(Weight weight, VertexId v, std::span<const HalfedgeId> faces) {
-  terms_.clear();
-  weights_.clear();
+template <class Body>
+void FanNormals::for_each_face(VertexId v, std::span<const HalfedgeId> faces, const Body& body) const {
   const Vec3 apex = surface_.points[v];
   Vec3 q = surface_.points[topology_.target(faces.front())];
   for (const HalfedgeId h : faces) {
@@ -38,32 +25,63 @@ void FanNormals::weigh(Weight weight, VertexId v, std::span<const HalfedgeId> fa
     q = surface_.points[topology_.origin(mesh::Topology::previous(h))];
     const FaceId f = mesh::Topology::face(h);
     const Vec3& normal = features_.face_normal[f];
-    if (normal == Vec3{} || (!is_left_out_.empty() && is_left_out_[f.index()])) continue;
-    const Vec3 b = p - apex, c = q - apex;
-    terms_.push_back(normal);
-    weights_.push_back(corner_weight(weight, corner_between(b, c, q - p, cross(b, c))));
+    if (!has_area(normal) || (!is_left_out_.empty() && is_left_out_[f.index()])) continue;
+    body(normal, [&] {
+      const Vec3 b = p - apex, c = q - apex;
+      return FaceCorner(q - p, b, c, cross(b, c));
+    });
   }
 }
 
-void FanNormals::drop_unsuitable(VertexId v) {
-  if (options_.unsuitable == Unsuitable::Keep || terms_.size() < kEnoughToJudge) return;
-  if (options_.unsuitable == Unsuitable::DropAtBoundary && !topology_.is_boundary(v)) return;
+Vec3 FanNormals::weighted_sum(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const {
   Vec3 sum;
-  for (const Vec3& normal : terms_) sum += normal;
-  const Vec3 average = sum / static_cast<double>(terms_.size());
-  double sum_of_squares = 0;
-  for (const Vec3& normal : terms_) sum_of_squares += squared_norm(normal - average);
-  const double limit = 2.0 * sum_of_squares / static_cast<double>(terms_.size());
-  for (std::size_t k = 0; k < terms_.size(); ++k) {
-    if (squared_norm(terms_[k] - average) > limit) weights_[k] = 0;
+  const auto sum_up = [&](const auto& weight_of) {
+    for_each_face(v, faces, [&](const Vec3& normal, const auto& corner) { sum += normal * weight_of(corner); });
+  };
+  // The two that are asked for most are compiled apart: the compiler leaves out what they do not need.
+  if (weight == Weight::Uniform) {
+    sum_up([](const auto&) { return 1.0; });
+  } else if (weight == Weight::Angle) {
+    sum_up([](const auto& corner) { return corner().angle(); });
+  } else {
+    sum_up([weight](const auto& corner) { return corner_weight(weight, corner()); });
   }
+  return sum;
+}
+
+Vec3 FanNormals::weighted_sum_of_suitable(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const {
+  Vec3 sum, plain;
+  std::size_t n = 0;
+  for_each_face(v, faces, [&](const Vec3& normal, const auto&) { plain += normal, ++n; });
+  const Vec3 average = n > 0 ? plain / static_cast<double>(n) : plain;
+  double squares = 0;
+  for_each_face(v, faces, [&](const Vec3& normal, const auto&) { squares += squared_norm(normal - average); });
+  const double limit = 2.0 * squares / static_cast<double>(n);
+  for_each_face(v, faces, [&](const Vec3& normal, const auto& corner) {
+    if (n >= kEnoughToJudge && squared_norm(normal - average) > limit) return;
+    sum += normal * corner_weight(weight, corner());
+  });
+  return sum;
+}
+
+bool FanNormals::drops_unsuitable(VertexId v) const {
+  return options_.unsuitable == Unsuitable::DropEverywhere ||
+         (options_.unsuitable == Unsuitable::DropAtBoundary && topology_.is_boundary(v));
+}
+
+void FanNormals::gather(std::span<const HalfedgeId> faces) {
+  if (room_.size() < faces.size()) room_.resize(faces.size());
+  std::size_t n = 0;
+  for (const HalfedgeId h : faces) {
+    const Vec3& normal = features_.face_normal[mesh::Topology::face(h)];
+    room_[n] = normal;
+    n += has_area(normal) ? 1 : 0;
+  }
+  normals_ = {room_.data(), n};
 }
 
 Vec3 FanNormals::mean(Weight weight, VertexId v, std::span<const HalfedgeId> faces) {
-  weigh(weight, v, faces);
-  drop_unsuitable(v);
-  Vec3 sum;
-  for (std::size_t k = 0; k < terms_.size(); ++k) sum += terms_[k] * weights_[k];
+  const Vec3 sum = drops_unsuitable(v) ? weighted_sum_of_suitable(weight, v, faces) : weighted_sum(weight, v, faces);
   if (sum != Vec3{}) return unit_vector(sum);
   // Faces whose normals cancel leave no mean: any direction is as good, and none sees them all.
   gather(faces);
@@ -72,12 +90,12 @@ Vec3 FanNormals::mean(Weight weight, VertexId v, std::span<const HalfedgeId> fac
 
 PointNormal FanNormals::judge(const Vec3& direction, std::span<const HalfedgeId> faces) {
   gather(faces);
+  if (normals_.empty()) return {{}, geometry::kPi / 2, false, true};
   return judged(direction, normals_, squared_chord_to_worst(direction, normals_));
 }
 
 PointNormal FanNormals::of(VertexId v, std::span<const HalfedgeId> faces) {
-  gather(faces);
-  if (normals_.empty()) return {{}, geometry::kPi / 2, false, true};
+  if (faces.empty()) return judge({}, faces);
   if (const auto weight = weight_of(options_.method)) return judge(mean(*weight, v, faces), faces);
   return optimal(v, faces);
 }
@@ -85,18 +103,17 @@ PointNormal FanNormals::of(VertexId v, std::span<const HalfedgeId> faces) {
 PointNormal FanNormals::optimal(VertexId v, std::span<const HalfedgeId> faces) {
   const Vec3 middle = mean(Weight::Angle, v, faces);
   gather(faces);
-  if (is_near(middle, normals_)) return judge(middle, faces);
+  const double to_worst = squared_chord_to_worst(middle, normals_);
+  if (1.0 - 0.5 * to_worst > kVisibilityTrigger) return judged(middle, normals_, to_worst);
   return most_visible_or(middle, false);
 }
 
 PointNormal FanNormals::most_visible_or(const Vec3& direction, bool is_fallback) {
-  if (const auto best = most_visible_of(normals_, normals_)) {
-    PointNormal normal = judged(best->direction, normals_, squared_chord_to_worst(best->direction, normals_));
-    normal.is_fallback = is_fallback;
-    return normal;
-  }
-  PointNormal normal = judged(direction, normals_, squared_chord_to_worst(direction, normals_));
-  normal.is_fallback = true;
+  if (normals_.empty()) return {{}, geometry::kPi / 2, false, true};
+  const auto best = most_visible_of(normals_, normals_);
+  const Vec3& chosen = best ? best->direction : direction;
+  PointNormal normal = judged(chosen, normals_, squared_chord_to_worst(chosen, normals_));
+  normal.is_fallback = is_fallback || !best;
   return normal;
 }
 

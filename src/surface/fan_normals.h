@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nearwall/surface/point_normals.h"
+#include "surface/corner_weight.h"
 
 namespace nearwall::surface {
 
@@ -23,13 +24,17 @@ class FanNormals {
   /// any face.
   Vec3 mean(Weight weight, VertexId v, std::span<const HalfedgeId> faces);
 
-  /// `direction` as the normal of v, held against all faces of the run.
+  /// `direction` as the normal of a vertex with these faces.
   PointNormal judge(const Vec3& direction, std::span<const HalfedgeId> faces);
 
  private:
+  /// Calls `body(normal, corner)` for each face of the run that has an area; `corner()` measures its corner at v.
+  template <class Body>
+  void for_each_face(VertexId v, std::span<const HalfedgeId> faces, const Body& body) const;
+  Vec3 weighted_sum(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const;
+  Vec3 weighted_sum_of_suitable(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const;
+  bool drops_unsuitable(VertexId v) const;
   void gather(std::span<const HalfedgeId> faces);
-  void weigh(Weight weight, VertexId v, std::span<const HalfedgeId> faces);
-  void drop_unsuitable(VertexId v);
   PointNormal optimal(VertexId v, std::span<const HalfedgeId> faces);
   PointNormal most_visible_or(const Vec3& direction, bool is_fallback);
 
@@ -38,10 +43,8 @@ class FanNormals {
   const Features& features_;
   const NormalOptions& options_;
   const std::vector<char>& is_left_out_;
-  std::vector<Vec3> normals_;  // of the run's faces with an area
-  std::vector<Vec3> terms_;    // those that a mean takes in
-  std::vector<double> weights_;
-  std::vector<Vec3> ring_;
+  std::vector<Vec3> room_;
+  std::span<const Vec3> normals_;  // of the run's faces with an area, in room_
 };
 
 }  // namespace nearwall::surface

@@ -55,8 +55,9 @@ Vec3 weighted_normal(Weight weight, const Vec3& apex, std::span<const Vec3> ring
     Vec3 area_vector = cross(b, c);
     const double thin = kThin * kThin * (squared_norm(b) * squared_norm(c));
     if (squared_norm(area_vector) < thin) area_vector = area_vector_of_thin(apex, p, q, scale);
-    const FaceCorner corner = corner_between(b, c, (q - p) * scale, area_vector);
-    if (corner.sine > 0) sum += area_vector * (corner_weight(weight, corner) / corner.sine);
+    if (area_vector == Vec3{}) continue;
+    const FaceCorner corner((q - p) * scale, b, c, area_vector);
+    sum += area_vector * (corner_weight(weight, corner) / corner.sine());
   }
   return normalized(sum);
 }
