@@ -66,6 +66,7 @@ void add_shape_command(CommandLine& line);
 void add_picture_command(CommandLine& line);
 void add_convert_command(CommandLine& line);
 void add_certify_command(CommandLine& line);
+void add_study_command(CommandLine& line);
 
 /// Manner as far as it can be told from a command line that does not parse.
 Manner manner_of(int argc, const char* const* argv);

@@ -117,6 +117,9 @@ std::string overview() {
     shape      surfaces of wings, bodies, ducts and test shapes
     convert    a surface from one format to another
 
+  look into
+    study      the studies of papers on normals, run again
+
   nearwall COMMAND --help      options, each command with an example
   nearwall --version
 )";

@@ -29,6 +29,7 @@ Invocation parse(int argc, const char* const* argv) {
   add_picture_command(line);
   add_convert_command(line);
   add_certify_command(line);
+  add_study_command(line);
   return line.parse(argc, argv);
 }
 
