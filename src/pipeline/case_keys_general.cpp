@@ -152,28 +152,16 @@ std::vector<Key> normals_keys() {
 
 std::vector<Key> smoothing_keys() {
   std::vector<Key> keys;
-  keys.push_back({.table = "smoothing",
-                  .name = "filter",
-                  .kind = Kind::Choice,
-                  .default_text = "\"taubin\"",
-                  .choices = {"none", "laplacian", "taubin"},
-                  .later = {"most-visible"},
-                  .doc = "how the directions of the lines are evened out",
-                  .set =
-                      [](Target t, const CaseValue& v) {
-                        using surface::SmoothingFilter;
-                        t.settings.smoothing.filter = text(v) == "none"        ? SmoothingFilter::None
-                                                      : text(v) == "laplacian" ? SmoothingFilter::Laplacian
-                                                                               : SmoothingFilter::Taubin;
-                      },
-                  .get =
-                      [](const Case& c, const LayerSettings&) {
-                        using surface::SmoothingFilter;
-                        const SmoothingFilter filter = c.smoothing.filter;
-                        return CaseValue(std::string(filter == SmoothingFilter::None        ? "none"
-                                                     : filter == SmoothingFilter::Laplacian ? "laplacian"
-                                                                                            : "taubin"));
-                      }});
+  keys.push_back(
+      {.table = "smoothing",
+       .name = "filter",
+       .kind = Kind::Choice,
+       .default_text = "\"taubin\"",
+       .choices = {surface::kSmoothingFilterNames.begin(), surface::kSmoothingFilterNames.end()},
+       .doc = "how the directions of the lines are evened out",
+       .set = [](Target t, const CaseValue& v) { t.settings.smoothing.filter = *surface::smoothing_filter(text(v)); },
+       .get = [](const Case& c,
+                 const LayerSettings&) { return CaseValue(std::string(surface::filter_name(c.smoothing.filter))); }});
   keys.push_back({.table = "smoothing",
                   .name = "iterations",
                   .kind = Kind::Integer,

@@ -1,5 +1,6 @@
 #include "nearwall/surface/smoothing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,7 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
+#include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 #include "surface/smoothing_room.h"
 
@@ -23,6 +25,14 @@ constexpr std::size_t kBlock = 4096;
 /// A sum of unit vectors shorter than this has mostly cancelled: its direction is left alone.
 constexpr double kCancelled = 0x1p-20;
 
+bool grows_back(SmoothingFilter filter) {
+  return filter == SmoothingFilter::Taubin || filter == SmoothingFilter::MostVisibleTaubin;
+}
+
+bool looks_for_most_visible(SmoothingFilter filter) {
+  return filter == SmoothingFilter::MostVisible || filter == SmoothingFilter::MostVisibleTaubin;
+}
+
 void check(const SmoothingOptions& options) {
   if (options.iterations < 0) {
     throw InputError(fmt::format("smoothing: expected iterations >= 0, found {}", options.iterations));
@@ -30,7 +40,10 @@ void check(const SmoothingOptions& options) {
   if (!(options.lambda > 0 && options.lambda <= 1)) {
     throw InputError(fmt::format("smoothing: expected lambda in (0, 1], found {}", options.lambda));
   }
-  if (options.filter == SmoothingFilter::Taubin && !(options.mu < -options.lambda && std::isfinite(options.mu))) {
+  if (!(options.trigger > 0 && options.trigger <= 1)) {
+    throw InputError(fmt::format("smoothing: expected trigger in (0, 1], found {}", options.trigger));
+  }
+  if (grows_back(options.filter) && !(options.mu < -options.lambda && std::isfinite(options.mu))) {
     throw InputError(fmt::format("smoothing: expected mu < -lambda = {}, found {}", -options.lambda, options.mu));
   }
 }
@@ -58,11 +71,15 @@ void append_ring(const mesh::Topology& topology, const Features& features, Verte
 }
 
 Neighbours find_neighbours(const mesh::Topology& topology, const Features& features,
-                           const IdVector<VertexId, PointNormal>& normals) {
+                           const IdVector<VertexId, PointNormal>& normals, const IdVector<VertexId, char>& is_held) {
   Neighbours neighbours;
+  neighbours.moving.reserve(normals.size());
+  neighbours.offset.reserve(normals.size() + 1);
+  neighbours.neighbour.reserve(3 * topology.n_faces());
   neighbours.offset.push_back(0);
   for (const VertexId v : normals.ids()) {
     const PointKind kind = features.kind[v];
+    if (!is_held.empty() && is_held[v]) continue;
     if ((kind != PointKind::Smooth && kind != PointKind::Ridge) || !normals[v].is_visible) continue;
     const std::size_t before = neighbours.neighbour.size();
     append_ring(topology, features, v, neighbours.neighbour);
@@ -73,62 +90,117 @@ Neighbours find_neighbours(const mesh::Topology& topology, const Features& featu
   return neighbours;
 }
 
-/// Moves `own` by `step` of the way to the mean of its neighbours (away from it if negative), back to unit length.
-Vec3 stepped(const Vec3& own, std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions,
-             double step) {
-  Vec3 sum;
-  for (const VertexId v : neighbours) sum += directions[v];
-  const Vec3 moved = own * (1.0 - step) + sum * (step / static_cast<double>(neighbours.size()));
-  const double size = norm(moved);
-  return size > kCancelled ? moved / size : own;
-}
+/// Moves directions towards what their neighbours say, one vertex after the other.
+class Mover {
+ public:
+  Mover(const SmoothingOptions& options) : options_(options) {}
 
-/// Calls `body(i, v, faces)` for each moving vertex, in blocks on all threads.
-template <class Body>
-void for_each_moving(const Neighbours& neighbours, const mesh::Topology& topology, const Features& features,
-                     const Body& body) {
+  /// `own` moved by `step` of the way to its neighbours (away from them if negative), back to unit length.
+  Vec3 stepped(const Vec3& own, std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions,
+               double step) {
+    const Vec3 goal = looks_for_most_visible(options_.filter) ? most_visible(own, neighbours, directions)
+                                                              : mean(neighbours, directions);
+    const Vec3 moved = own * (1.0 - step) + goal * step;
+    const double size = norm(moved);
+    return size > kCancelled ? moved / size : own;
+  }
+
+ private:
+  static Vec3 mean(std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions) {
+    Vec3 sum;
+    for (const VertexId v : neighbours) sum += directions[v];
+    return sum / static_cast<double>(neighbours.size());
+  }
+
+  /// The direction itself where nothing sees all of its neighbours' directions.
+  Vec3 most_visible(const Vec3& own, std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions) {
+    room_.resize(neighbours.size());
+    Vec3 sum;
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      room_[k] = directions[neighbours[k]];
+      sum += room_[k];
+    }
+    if (sum != Vec3{}) {
+      const Vec3 middle = unit_vector(sum);
+      if (1.0 - 0.5 * squared_chord_to_worst(middle, room_) > options_.trigger) return middle;
+    }
+    const Cap cap = smallest_cap(room_);
+    return cap.centre != Vec3{} ? cap.centre : own;
+  }
+
+  const SmoothingOptions& options_;
+  std::vector<Vec3> room_;
+};
+
+/// Calls `body(i, v, tools)` for each moving vertex, in blocks on all threads; `make_tools()` is called for each block.
+template <class MakeTools, class Body>
+void for_each_moving(const Neighbours& neighbours, const MakeTools& make_tools, const Body& body) {
   parallel_blocks(neighbours.moving.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    FaceNormals faces(topology, features);
-    for (std::size_t i = begin; i < end; ++i) body(i, neighbours.moving[i], faces);
+    auto tools = make_tools();
+    for (std::size_t i = begin; i < end; ++i) body(i, neighbours.moving[i], tools);
   });
 }
 
 }  // namespace
 
+std::string_view filter_name(SmoothingFilter filter) { return kSmoothingFilterNames[static_cast<std::size_t>(filter)]; }
+
+std::optional<SmoothingFilter> smoothing_filter(std::string_view name) {
+  const auto at = std::find(kSmoothingFilterNames.begin(), kSmoothingFilterNames.end(), name);
+  if (at == kSmoothingFilterNames.end()) return std::nullopt;
+  return static_cast<SmoothingFilter>(at - kSmoothingFilterNames.begin());
+}
+
 void smooth_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
-                    const SmoothingOptions& options, IdVector<VertexId, PointNormal>& normals) {
+                    const SmoothingOptions& options, IdVector<VertexId, PointNormal>& normals,
+                    const IdVector<VertexId, char>& is_held) {
   check(options);
   expect(normals.size() == topology.n_vertices() && normals.size() == surface.points.size(),
          "smooth_normals: one normal for each vertex");
+  expect(is_held.empty() || is_held.size() == normals.size(), "smooth_normals: one mark for each vertex, or none");
   if (options.filter == SmoothingFilter::None || options.iterations == 0) return;
 
-  const Neighbours neighbours = find_neighbours(topology, features, normals);
-  const auto for_each = [&](const auto& body) { for_each_moving(neighbours, topology, features, body); };
+  const Neighbours neighbours = find_neighbours(topology, features, normals, is_held);
+  struct Tools {
+    Mover mover;
+    FaceNormals faces;
+  };
+  const auto for_each = [&](const auto& body) {
+    for_each_moving(
+        neighbours,
+        [&] {
+          return Tools{Mover(options), FaceNormals(topology, features)};
+        },
+        body);
+  };
   std::vector<Room> rooms(neighbours.moving.size());
-  for_each([&](std::size_t i, VertexId v, FaceNormals&) { rooms[i] = room_of(normals[v]); });
+  for_each([&](std::size_t i, VertexId v, Tools&) { rooms[i] = room_of(normals[v]); });
   IdVector<VertexId, Vec3> current(normals.size());
   for (const VertexId v : normals.ids()) current[v] = normals[v].direction;
-  IdVector<VertexId, Vec3> shrunk = current, next = current;
+  IdVector<VertexId, Vec3> next = current, shrunk;
 
   // Every step reads the array that the step before has written, whole: the order of the vertices plays no part.
-  const bool grows_back = options.filter == SmoothingFilter::Taubin;
-  const double last_step = grows_back ? options.mu : options.lambda;
+  const bool has_counter_step = grows_back(options.filter);
+  if (has_counter_step) shrunk = current;
+  const double last_step = has_counter_step ? options.mu : options.lambda;
   for (int sweep = 0; sweep < options.iterations; ++sweep) {
-    if (grows_back) {
-      for_each([&](std::size_t i, VertexId v, FaceNormals&) {
-        shrunk[v] = stepped(current[v], neighbours.of(i), current, options.lambda);
+    if (has_counter_step) {
+      for_each([&](std::size_t i, VertexId v, Tools& tools) {
+        shrunk[v] = tools.mover.stepped(current[v], neighbours.of(i), current, options.lambda);
       });
     }
-    const IdVector<VertexId, Vec3>& from = grows_back ? shrunk : current;
-    for_each([&](std::size_t i, VertexId v, FaceNormals& faces) {
-      const Vec3 wanted = stepped(from[v], neighbours.of(i), from, last_step);
-      next[v] = is_surely_in(rooms[i], wanted) ? wanted : drawn_back(wanted, rooms[i], faces.round(v));
+    const IdVector<VertexId, Vec3>& from = has_counter_step ? shrunk : current;
+    for_each([&](std::size_t i, VertexId v, Tools& tools) {
+      const Vec3 wanted = tools.mover.stepped(from[v], neighbours.of(i), from, last_step);
+      next[v] = is_surely_in(rooms[i], wanted) ? wanted : drawn_back(wanted, rooms[i], tools.faces.round(v));
     });
     std::swap(current, next);
   }
-  for_each([&](std::size_t, VertexId v, FaceNormals& faces) {
-    const auto round = faces.round(v);
+  for_each([&](std::size_t, VertexId v, Tools& tools) {
+    const auto round = tools.faces.round(v);
+    const bool is_fallback = normals[v].is_fallback;
     normals[v] = judged(current[v], round, squared_chord_to_worst(current[v], round));
+    normals[v].is_fallback = is_fallback;
   });
 }
 

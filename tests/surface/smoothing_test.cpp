@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +20,9 @@ using fans::Random;
 using Normals = IdVector<VertexId, PointNormal>;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
+
+constexpr std::array kFilters = {SmoothingFilter::Laplacian, SmoothingFilter::Taubin, SmoothingFilter::MostVisible,
+                                 SmoothingFilter::MostVisibleTaubin};
 
 SmoothingOptions sweeps(SmoothingFilter filter, int iterations) {
   SmoothingOptions options;
@@ -74,7 +78,7 @@ Normals disturbed(Normals normals, double size, unsigned seed) {
 
 TEST(SmoothNormals, LeavesAConstantFieldAsItIs) {
   const Prepared plate(shapes::plate(6));
-  for (const SmoothingFilter filter : {SmoothingFilter::Laplacian, SmoothingFilter::Taubin}) {
+  for (const SmoothingFilter filter : kFilters) {
     for (const PointNormal& normal : plate.smoothed(plate.normals(), sweeps(filter, 10))) {
       EXPECT_EQ(normal.direction, Vec3(0, 0, 1));
       EXPECT_TRUE(normal.is_visible);
@@ -94,7 +98,7 @@ TEST(SmoothNormals, ChangesNothingWithoutSweepsOrFilter) {
 TEST(SmoothNormals, EvensOutNoiseSweepBySweep) {
   const Prepared wavy(waves(24));
   const Normals noisy = disturbed(wavy.normals(), 0.2, 2);
-  for (const SmoothingFilter filter : {SmoothingFilter::Laplacian, SmoothingFilter::Taubin}) {
+  for (const SmoothingFilter filter : kFilters) {
     double before = wavy.roughness(noisy);
     for (const int n : {1, 2, 4, 8}) {
       const double after = wavy.roughness(wavy.smoothed(noisy, sweeps(filter, n)));
@@ -144,13 +148,91 @@ TEST(SmoothNormals, FollowsTheFormulaOfTaubinsTwoSteps) {
   for (const VertexId v : before.ids()) EXPECT_NEAR(distance(after[v].direction, direction[v]), 0, 1e-14);
 }
 
+/// Directions of the vertices round v.
+std::vector<Vec3> ring_of(const Prepared& surface, const Normals& normals, VertexId v) {
+  std::vector<Vec3> ring;
+  for (const HalfedgeId h : surface.topology.fan(v)) ring.push_back(normals[surface.topology.target(h)].direction);
+  return ring;
+}
+
+TEST(SmoothNormals, MostVisibleTakesTheDirectionThatSeesItsNeighboursBest) {
+  const Prepared wavy(waves(24));
+  const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
+  SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
+  options.lambda = 1;
+  options.trigger = 1;
+  const Normals after = wavy.smoothed(noisy, options);
+  for (const VertexId v : noisy.ids()) {
+    if (wavy.topology.is_boundary(v)) continue;
+    const std::vector<Vec3> ring = ring_of(wavy, noisy, v);
+    EXPECT_NEAR(static_cast<double>(fans::worst_angle(fans::to_long(after[v].direction), ring)),
+                static_cast<double>(fans::smallest_worst_angle(ring)), 1e-14);
+  }
+}
+
+TEST(SmoothNormals, MostVisibleTakesTheMeanWhereItSeesAllNeighboursWell) {
+  const Prepared wavy(waves(24));
+  const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
+  SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
+  options.lambda = 1;
+  int n_means = 0, n_others = 0;
+  const Normals after = wavy.smoothed(noisy, options);
+  for (const VertexId v : noisy.ids()) {
+    if (wavy.topology.is_boundary(v)) continue;
+    const std::vector<Vec3> ring = ring_of(wavy, noisy, v);
+    Vec3 mean;
+    for (const Vec3& direction : ring) mean += direction / static_cast<double>(ring.size());
+    mean = normalized(mean);
+    const bool is_near =
+        std::cos(static_cast<double>(fans::worst_angle(fans::to_long(mean), ring))) > kVisibilityTrigger;
+    EXPECT_EQ(distance(after[v].direction, mean) < 1e-14, is_near);
+    ++(is_near ? n_means : n_others);
+  }
+  EXPECT_GT(n_means, 50);
+  EXPECT_GT(n_others, 50);
+}
+
+TEST(SmoothNormals, CouplingWithTaubinKeepsLongWavesThatMostVisibleFlattens) {
+  const Prepared wavy(waves(48));
+  const Normals before = wavy.normals();
+  const auto amplitude = [&](SmoothingFilter filter) {
+    double sum = 0;
+    for (const PointNormal& normal : wavy.smoothed(before, sweeps(filter, 40))) sum += 1.0 - normal.direction.z();
+    return sum;
+  };
+  const double unsmoothed = amplitude(SmoothingFilter::None);
+  EXPECT_LT(amplitude(SmoothingFilter::MostVisible), 0.9 * unsmoothed);
+  EXPECT_NEAR(amplitude(SmoothingFilter::MostVisibleTaubin), unsmoothed, 0.05 * unsmoothed);
+}
+
+TEST(SmoothNormals, HoldsImposedNormals) {
+  const Prepared wavy(waves(16));
+  const Normals before = disturbed(wavy.normals(), 0.1, 8);
+  IdVector<VertexId, char> is_held(before.size(), 0);
+  for (const VertexId v : before.ids()) is_held[v] = wavy.topology.is_boundary(v);
+  for (const SmoothingFilter filter : kFilters) {
+    Normals after = before;
+    smooth_normals(wavy.surface, wavy.topology, wavy.features, sweeps(filter, 5), after, is_held);
+    for (const VertexId v : before.ids()) EXPECT_EQ(after[v].direction == before[v].direction, is_held[v] != 0);
+  }
+}
+
+TEST(SmoothingFilter, GoesByItsName) {
+  for (std::size_t k = 0; k < kSmoothingFilterNames.size(); ++k) {
+    const auto filter = static_cast<SmoothingFilter>(k);
+    EXPECT_EQ(smoothing_filter(filter_name(filter)), filter);
+  }
+  EXPECT_EQ(filter_name(SmoothingFilter::MostVisibleTaubin), "most-visible-taubin");
+  EXPECT_FALSE(smoothing_filter("taubim"));
+}
+
 TEST(SmoothNormals, NeverLosesSightNorMoreThanHalfTheRoom) {
   int n_at_the_edge = 0;
   for (const double height : {0.02, 0.1, 0.25}) {
     // Hardly anything counts as a ridge or a tip here, so that all vertices move.
     const Prepared rough(bumpy_sphere(4, height, 3), {3.0, 3.0, 1.5});
     const Normals before = rough.normals();
-    for (const SmoothingFilter filter : {SmoothingFilter::Laplacian, SmoothingFilter::Taubin}) {
+    for (const SmoothingFilter filter : kFilters) {
       const Normals after = rough.smoothed(before, sweeps(filter, 30));
       for (const VertexId v : before.ids()) {
         if (!before[v].is_visible) continue;
@@ -276,6 +358,11 @@ TEST(SmoothNormals, RefusesOptionsOutOfRange) {
   refused(0.5, -0.4, 1);
   refused(0.5, std::nan(""), 1);
   refused(0.5, -0.53, -1);
+  for (const double trigger : {0.0, 1.5, std::nan("")}) {
+    SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
+    options.trigger = trigger;
+    EXPECT_THROW(cube.smoothed(cube.normals(), options), InputError) << trigger;
+  }
 }
 
 }  // namespace
