@@ -1,0 +1,182 @@
+#include "nearwall/surface/minimum_norm_network.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/core/expect.h"
+#include "surface/fitted_normals_frame.h"
+
+namespace nearwall::surface {
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using mesh::Topology;
+
+/// Edges steeper than this as seen from the axes' plane, and edges between axes whose mean is shorter, are no graphs.
+constexpr double kVertical = 0x1p-20;
+
+/// Directions of a vertex' edges count as one if the smaller eigenvalue of their energy is below this part of the
+/// other.
+constexpr double kOneDirection = 0x1p-40;
+
+/// What an end's slopes do to the slope of an edge relative to its chord: p . slopes + q; Eq. (11).
+struct End {
+  Vector2d p;
+  double q;
+};
+
+struct Edge {
+  VertexId v, w;
+  End at_v, at_w;
+  double weight;  // 1 / L, L in units of the network
+};
+
+/// Power of two above the largest extent of an edge along an axis. In units of it all scales give the same bits: the
+/// square roots below would tell even powers from odd ones.
+double unit_length(const mesh::SurfaceMesh& surface) {
+  double largest = 0;
+  for (const auto& [a, b, c] : surface.faces) {
+    const Vec3 &pa = surface.points[a], &pb = surface.points[b], &pc = surface.points[c];
+    largest = std::max({largest, max_norm(pb - pa), max_norm(pc - pb), max_norm(pa - pc)});
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, exponent);
+}
+
+/// The quadratic energy of the network in the slopes at all vertices.
+class Network {
+ public:
+  Network(const mesh::SurfaceMesh& surface, const Topology& topology, const IdVector<VertexId, Vec3>& axes);
+
+  IdVector<VertexId, Vec3> normals() const;
+
+ private:
+  TangentFrame frame_at(VertexId v, const Vec3& axis) const;
+  void add_edge(VertexId v, VertexId w);
+  void make_blocks();
+  Eigen::VectorXd solved() const;
+
+  const mesh::SurfaceMesh& surface_;
+  const Topology& topology_;
+  double unit_;
+  IdVector<VertexId, TangentFrame> frames_;
+  std::vector<Edge> edges_;
+  /// Inverse of the triangular factor of each vertex' block: slopes = factor^T . unknowns. Zero: slopes are held at 0.
+  IdVector<VertexId, Matrix2d> factors_;
+};
+
+Network::Network(const mesh::SurfaceMesh& surface, const Topology& topology, const IdVector<VertexId, Vec3>& axes)
+    : surface_(surface),
+      topology_(topology),
+      unit_(unit_length(surface)),
+      frames_(axes.size()),
+      factors_(axes.size(), Matrix2d::Zero()) {
+  for (const VertexId v : axes.ids()) frames_[v] = frame_at(v, axes[v]);
+  for (std::size_t i = 0; i < 3 * topology.n_faces(); ++i) {
+    const HalfedgeId h(i), twin = topology.twin(h);
+    if (!twin.is_valid() || h < twin) add_edge(topology.origin(h), topology.target(h));
+  }
+  make_blocks();
+}
+
+/// First vector along the first edge that is not along the axis.
+TangentFrame Network::frame_at(VertexId v, const Vec3& axis) const {
+  TangentFrame frame{{}, {}, normalized(axis)};
+  if (frame.n == Vec3{}) return frame;
+  for (const HalfedgeId h : topology_.fan(v)) {
+    frame = tangent_frame(frame.n, normalized(surface_.points[topology_.target(h)] - surface_.points[v]));
+    if (frame.t1 != Vec3{}) break;
+  }
+  return frame;
+}
+
+void Network::add_edge(VertexId v, VertexId w) {
+  const TangentFrame &fv = frames_[v], &fw = frames_[w];
+  const Vec3 sum = fv.n + fw.n, d = surface_.points[w] - surface_.points[v];
+  if (fv.t1 == Vec3{} || fw.t1 == Vec3{} || !(norm(sum) > kVertical)) return;
+  const Vec3 n = normalized(sum), along = normalized(d), flat = along - n * dot(along, n);
+  if (!(norm(flat) > kVertical)) return;
+  const Vec3 u = normalized(flat);
+  const double chord_slope = dot(along, n) / dot(along, u);
+  const auto end = [&](const TangentFrame& frame) {
+    const double up = dot(frame.n, n);
+    return End{Vector2d(dot(frame.t1, u), dot(frame.t2, u)) / up, -dot(frame.n, u) / up - chord_slope};
+  };
+  edges_.push_back({v, w, end(fv), end(fw), unit_ / dot(d, u)});
+}
+
+/// A vertex' own part of the energy, a 2 x 2 block, as the sum of two squares; Eq. (13).
+void Network::make_blocks() {
+  IdVector<VertexId, Matrix2d> blocks(frames_.size(), Matrix2d::Zero());
+  for (const Edge& e : edges_) {
+    blocks[e.v] += 2 * e.weight * e.at_v.p * e.at_v.p.transpose();
+    blocks[e.w] += 2 * e.weight * e.at_w.p * e.at_w.p.transpose();
+  }
+  for (const VertexId v : blocks.ids()) {
+    const double trace = blocks[v].trace();
+    if (!(blocks[v].determinant() > kOneDirection * trace * trace)) continue;
+    const Matrix2d lower = blocks[v].llt().matrixL();
+    factors_[v] << 1 / lower(0, 0), 0, -lower(1, 0) / (lower(0, 0) * lower(1, 1)), 1 / lower(1, 1);
+  }
+}
+
+/// Solves Eq. (14): the unit matrix and what the edges couple, with eigenvalues from 1/2 to 3/2.
+Eigen::VectorXd Network::solved() const {
+  const auto size = static_cast<Eigen::Index>(2 * frames_.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(2 * frames_.size() + 8 * edges_.size());
+  for (Eigen::Index i = 0; i < size; ++i) entries.emplace_back(i, i, 1.0);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+  for (const Edge& e : edges_) {
+    const Vector2d pv = factors_[e.v] * e.at_v.p, pw = factors_[e.w] * e.at_w.p;
+    const Eigen::Index iv = 2 * Eigen::Index{e.v.index()}, iw = 2 * Eigen::Index{e.w.index()};
+    right.segment<2>(iv) -= e.weight * (2 * e.at_v.q + e.at_w.q) * pv;
+    right.segment<2>(iw) -= e.weight * (2 * e.at_w.q + e.at_v.q) * pw;
+    const Matrix2d coupling = e.weight * pv * pw.transpose();
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      for (Eigen::Index j = 0; j < 2; ++j) {
+        entries.emplace_back(iv + i, iw + j, coupling(i, j));
+        entries.emplace_back(iw + j, iv + i, coupling(i, j));
+      }
+    }
+  }
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::ConjugateGradient<decltype(matrix), Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner> solver(matrix);
+  return solver.solve(right);
+}
+
+IdVector<VertexId, Vec3> Network::normals() const {
+  const Eigen::VectorXd unknowns = solved();
+  IdVector<VertexId, Vec3> normals(frames_.size());
+  for (const VertexId v : normals.ids()) {
+    const Vector2d slopes = factors_[v].transpose() * unknowns.segment<2>(2 * Eigen::Index{v.index()});
+    normals[v] = normal_of_slopes(frames_[v], slopes[0], slopes[1]);
+  }
+  return normals;
+}
+
+}  // namespace
+
+IdVector<VertexId, Vec3> minimum_norm_network_normals(const mesh::SurfaceMesh& surface, const Topology& topology,
+                                                      const IdVector<VertexId, Vec3>& axes) {
+  expect(surface.points.size() == topology.n_vertices() && axes.size() == topology.n_vertices(),
+         "minimum_norm_network_normals: surface, topology and axes are of the same mesh");
+  for (const VertexId v : axes.ids()) {
+    if (is_finite(axes[v]) && is_finite(surface.points[v])) continue;
+    throw InputError("normals: vertex " + std::to_string(v.index()) + " or its axis is not finite");
+  }
+  return Network(surface, topology, axes).normals();
+}
+
+}  // namespace nearwall::surface
