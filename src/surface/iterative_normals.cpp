@@ -20,9 +20,13 @@ namespace {
 /// A mean of unit vectors shorter than this has lost half of its digits.
 constexpr double kCancelled = 0x1p-26;
 
-/// Share of the largest stable step that is taken where none is asked for: of 0.5, 0.625, 0.75 and 0.875 the one that
-/// needed fewest steps on fans of three normals; docs/theory/iterative-normals.md has the figures.
-constexpr double kShareOfLimit = 0.75;
+/// Shares of the limits (10) and (13) that are taken where no relaxation is asked for: of those tried, the ones that
+/// needed fewest steps. The theory page has the figures.
+constexpr double kShareOfTurn = 0.9;
+constexpr double kShareOfCorrection = 0.75;
+
+/// Gain of two normals at 80.9 degrees from their middle: where it is larger, the weights are damped as well.
+constexpr double kLargestGain = 4;
 
 /// Unit normals with a weight each, and their angles to a direction.
 class WeightedFan {
@@ -101,23 +105,23 @@ double gain_of_extremes(std::span<const Vec3> units, const Vec3& mean) {
   return sine > 0 && sine < 1 ? sine / (std::sqrt(1.0 - sine * sine) * std::asin(sine)) : 1.0;
 }
 
-/// Section 3 of the paper. With a fixed relaxation the direction goes part of the way to the mean, Eq. (5); without,
-/// the weights go part of the way in their logarithms, Eq. (11), and the direction is the mean.
+/// Section 3 of the paper, Eq. (5), with the weights damped as in Eq. (11) if the relaxation is chosen here.
 class MultipliedWeights {
  public:
   explicit MultipliedWeights(std::optional<double> relaxation) : relaxation_(relaxation) {}
 
-  bool correct(WeightedFan& fan, const Mean& mean, double worst_angle, double least_gain) const {
-    const double exponent = relaxation_ ? 1.0 : 2.0 * kShareOfLimit / std::max(gain(fan, mean), least_gain);
+  bool correct(WeightedFan& fan, const Mean& mean, double worst_angle, double least_gain) {
+    const double kappa = relaxation_ ? 0.0 : std::max(gain(fan, mean), least_gain);
+    const double damped = std::min(kappa, kLargestGain);
+    turn_ = relaxation_ ? *relaxation_ : std::min(1.0, kShareOfTurn * largest_stable_turn(damped));
     for (std::size_t i = 0; i < fan.size(); ++i) {
       const double ratio = fan.angles()[i] / worst_angle;
-      fan.weights()[i] *= relaxation_ ? ratio : std::pow(ratio, exponent);
+      fan.weights()[i] *= damped < kappa ? std::pow(ratio, damped / kappa) : ratio;
     }
     return fan.normalise();
   }
   Vec3 next(const Vec3& direction, const Mean& mean) const {
-    if (!relaxation_) return mean.direction;
-    return unit_vector(mean.direction * *relaxation_ + direction * (1.0 - *relaxation_));
+    return unit_vector(mean.direction * turn_ + direction * (1.0 - turn_));
   }
 
  private:
@@ -127,8 +131,11 @@ class MultipliedWeights {
     for (std::size_t i = 0; i < fan.size(); ++i) sum += fan.weights()[i] * fan.sine_over_angle(i);
     return sum / mean.size;
   }
+  /// Eq. (10).
+  static double largest_stable_turn(double gain) { return 2.0 / (1.0 + 0.5 * gain); }
 
   std::optional<double> relaxation_;
+  double turn_ = 1;
 };
 
 /// Pirzadeh's predictor and corrector, Eq. (12): the direction is the mean.
@@ -136,7 +143,7 @@ class CorrectedWeights {
  public:
   explicit CorrectedWeights(std::optional<double> relaxation) : relaxation_(relaxation) {}
 
-  bool correct(WeightedFan& fan, const Mean& mean, double, double least_gain) const {
+  bool correct(WeightedFan& fan, const Mean& mean, double, double least_gain) {
     double mean_angle = 0;
     for (std::size_t i = 0; i < fan.size(); ++i) mean_angle += fan.weights()[i] * fan.angles()[i];
     if (!(mean_angle > 0)) return false;
@@ -158,7 +165,7 @@ class CorrectedWeights {
       sum += fan.sine_over_angle(i);
       n_changing += 1;
     }
-    return 2.0 * kShareOfLimit / std::max(sum / mean.size, n_changing * least_gain);
+    return 2.0 * kShareOfCorrection / std::max(sum / mean.size, n_changing * least_gain);
   }
 
   std::optional<double> relaxation_;
@@ -179,7 +186,7 @@ void check(const char* name, const IterationOptions& options) {
 
 template <class Correction>
 IterativeNormal iterate(const char* name, std::span<const Vec3> normals, const IterationOptions& options,
-                        const Correction& correction) {
+                        Correction correction) {
   check(name, options);
   WeightedFan fan(normals.size());
   for (const Vec3& normal : normals) {

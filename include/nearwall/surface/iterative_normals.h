@@ -21,7 +21,7 @@ std::optional<VisibleNormal> kallinderis_normal(std::span<const Vec3> face_norma
 
 struct IterationOptions {
   /// Share of the correction that is taken, > 0: of the way to the mean, Eq. (5), or of the weights' change, Eq. (12).
-  /// nullopt: the weights are damped, anew at each step, by three quarters of what is stable, Eqs. (11) and (13).
+  /// nullopt: at each step a share of what is stable, 0.9 of Eq. (10) and 0.75 of Eq. (13), so that it converges.
   std::optional<double> relaxation = std::nullopt;
   /// Largest excess of the worst angle over the smallest possible one [rad], > 0.
   double tolerance = 1e-4;
