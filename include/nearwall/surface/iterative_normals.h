@@ -39,7 +39,8 @@ struct IterativeNormal {
 /// Weighted mean whose weights are multiplied with the angles to the faces until the worst angle is smallest (Aubry &
 /// Loehner 2008, section 3, put right in docs/theory/iterative-normals.md). With a fixed relaxation it converges on
 /// sharp trailing edges only below the limit of Eq. (10) there.
-/// \param normals  any number; where no direction sees all, it does not converge
+/// \param normals  any number; where no direction sees all, or only in a cone open by less than 1e-7 rad, it does not
+/// converge
 /// \throws  InputError if a normal is not finite or an option is out of range.    Cost: O(n) for each step.
 IterativeNormal iterative_normal(std::span<const Vec3> normals, const IterationOptions& options = {});
 
