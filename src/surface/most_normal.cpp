@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nearwall/surface/normals.h"
+#include "surface/most_normal_ring.h"
+#include "surface/most_normal_search.h"
+#include "surface/normals_cap.h"
+
+namespace nearwall::surface {
+
+namespace {
+
+/// A distance above a right angle by more than this is not a rounded right angle, of which there may be several [rad].
+constexpr double kSurelyObtuse = 1e-10;
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+
+/// Of a ring that fits into a cap smaller than a hemisphere, with the fluid round the other end: that end, Eq. (3).
+std::optional<NormalNormal> opposite_of_cap(const Ring& ring) {
+  Scratch<Vec3> starts(ring.arcs().size());
+  for (const Arc& arc : ring.arcs()) starts.add(arc.start);
+  const Cap cap = smallest_cap(starts.all());
+  const double radius = 2.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(cap.squared_chord)));
+  if (cap.centre == Vec3{} || !(radius < kRightAngle - kSurelyObtuse)) return std::nullopt;
+  const Vec3 x = -cap.centre;
+  // The vertex nearest to x is one that the cap rests on, and the fluid is on the side that its two faces look to.
+  const std::size_t k = cap.seat[0];
+  if (!(dot(x, ring.arcs()[k].normal + ring.arcs()[ring.before(k)].normal) > 0)) return std::nullopt;
+  return NormalNormal{x, 2.0 * kRightAngle - radius, ring.is_seen(x)};
+}
+
+NormalNormal judged(const Ring& ring, const Candidate& c) {
+  return {c.direction, c.distance.angle(), ring.is_seen(c.direction)};
+}
+
+}  // namespace
+
+std::optional<NormalNormal> most_normal_normal(const Vec3& apex, std::span<const Vec3> neighbours) {
+  Ring ring(neighbours.size());
+  if (!ring.prepare(apex, neighbours)) return std::nullopt;
+  Search search(ring);
+  if (ring.reflex().empty()) return judged(ring, search.best());
+  const bool is_flat = search.best().distance.cosine < kSurelyObtuse;
+  if (!is_flat) {
+    search.climb();
+    if (search.is_proven()) return judged(ring, search.best());
+  }
+  if (const auto opposite = opposite_of_cap(ring)) return opposite;
+  return judged(ring, is_flat ? search.best() : search.prove());
+}
+
+}  // namespace nearwall::surface

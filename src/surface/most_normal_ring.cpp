@@ -1,0 +1,135 @@
+#include "surface/most_normal_ring.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "nearwall/core/errors.h"
+#include "surface/normals_cap.h"
+#include "surface/normals_visible.h"
+
+namespace nearwall::surface {
+
+namespace {
+
+/// Sine of an arc below which its ends can't be told apart, or from opposite ones: some roundings of unit vectors.
+constexpr double kNoArc = 0x1p-50;
+
+/// Sine by which a vertex may stick out into the solid and still count as reflex: a site too many does no harm.
+constexpr double kFlat = 1e-12;
+
+/// A computed sine above another by this much belongs to a larger angle.
+constexpr double kSineRounding = 0x1p-50;
+
+/// Half, so that no difference overflows; else the same bits.
+Vec3 edge_to(const Vec3& neighbour, const Vec3& apex) {
+  if (!is_finite(neighbour)) throw InputError("most_normal_normal: expected finite points, found one that is not");
+  const Vec3 edge = neighbour - apex;
+  return is_finite(edge) ? edge : neighbour * 0.5 - apex * 0.5;
+}
+
+}  // namespace
+
+Level::Level(const Distance& d)
+    : sine(d.sine),
+      cosine(d.cosine),
+      is_large(d.sine > d.cosine),
+      sine_limit(is_large ? d.sine + kSineRounding : d.sine),
+      squared_cosine(d.cosine * d.cosine),
+      squared_chord(2.0 * d.sine * d.sine / (1.0 + d.cosine)) {}
+
+bool Ring::prepare(const Vec3& apex, std::span<const Vec3> neighbours) {
+  if (!is_finite(apex)) throw InputError("most_normal_normal: expected a finite apex, found one that is not");
+  Scratch<Vec3> starts(neighbours.size());
+  const auto is_same = [](const Vec3& p, const Vec3& q) {
+    return dot(p, q) > 0 && squared_norm(cross(p, q)) <= kNoArc * kNoArc;
+  };
+  bool is_open = false;
+  for (const Vec3& neighbour : neighbours) {
+    const Vec3 start = unit_vector(edge_to(neighbour, apex));
+    is_open |= start == Vec3{};
+    if (starts.all().empty() || !is_same(starts.all().back(), start)) starts.add(start);
+  }
+  std::span<const Vec3> p = starts.all();
+  while (p.size() > 1 && is_same(p.back(), p.front())) p = p.first(p.size() - 1);
+  if (is_open || p.size() < 3) return false;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Vec3 &start = p[k], &end = p[k + 1 == p.size() ? 0 : k + 1];
+    // Twice start x end, without its cancellation where the two are nearly the same or opposite.
+    const Vec3 face = cross(start - end, start + end);
+    if (squared_norm(face) <= kNoArc * kNoArc) return false;
+    const Vec3 normal = unit_vector(face);
+    arcs_.add({start, normal, cross(normal, start), cross(normal, end)});
+  }
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (dot(arcs_.all()[before(k)].normal, arcs_.all()[after(k)].start) <= kFlat) reflex_.add(k);
+  }
+  return find_most_visible() && goes_round_once();
+}
+
+bool Ring::find_most_visible() {
+  Scratch<Vec3> normals(arcs().size());
+  for (const Arc& arc : arcs()) normals.add(arc.normal);
+  const auto visible = most_visible_of(normals.all(), normals.all());
+  if (visible) most_visible_ = visible->direction;
+  return visible.has_value();
+}
+
+bool Ring::goes_round_once() const {
+  // Seen from the most visible normal each arc turns left by less than half a turn: it passes any given azimuth once.
+  const Vec3 left = cross(most_visible_, arcs()[0].start);
+  int n_turns = 0;
+  bool was_right = dot(left, arcs().back().start) < 0;
+  for (const Arc& arc : arcs()) {
+    const bool is_right = dot(left, arc.start) < 0;
+    n_turns += was_right && !is_right;
+    was_right = is_right;
+  }
+  return n_turns == 1;
+}
+
+Place Ring::place(const Vec3& x) const {
+  double squared_chord = std::numeric_limits<double>::infinity();
+  std::size_t vertex = 0;
+  for (std::size_t k = 0; k < arcs().size(); ++k) {
+    const double squared = squared_norm(x - arcs()[k].start);
+    if (squared < squared_chord) squared_chord = squared, vertex = k;
+  }
+  const Arc& nearest = arcs()[vertex];
+  // The way to the nearest point of the ring crosses no arc, so the side is that from which it is met there.
+  Place place{{norm(cross(x, nearest.start)), dot(x, nearest.start)},
+              dot(x, nearest.normal + arcs()[before(vertex)].normal) > 0};
+  for (const Arc& arc : arcs()) {
+    const double ahead = dot(x, arc.ahead);
+    if (!(ahead > 0 && dot(x, arc.beyond) < 0)) continue;
+    const double height = dot(x, arc.normal), across = dot(x, arc.start);
+    const Distance distance{std::abs(height), std::sqrt(across * across + ahead * ahead)};
+    if (is_less(distance, place.distance)) place = {distance, height > 0};
+  }
+  return place;
+}
+
+bool Ring::is_nearer(const Arc& arc, const Vec3& x, const Level& level) const {
+  const double across = dot(x, arc.start);
+  if (level.is_large ? across > level.cosine : squared_norm(x - arc.start) < level.squared_chord) return true;
+  if (std::abs(dot(x, arc.normal)) >= level.sine_limit) return false;
+  const double ahead = dot(x, arc.ahead);
+  if (ahead < 0 || dot(x, arc.beyond) > 0) return false;
+  return !level.is_large || across * across + ahead * ahead > level.squared_cosine;
+}
+
+bool Ring::keeps_clear(const Vec3& x, const Level& level, std::size_t& first) const {
+  for (std::size_t k = first; k < arcs().size(); ++k) {
+    if (is_nearer(arcs()[k], x, level)) return first = k, false;
+  }
+  for (std::size_t k = 0; k < first; ++k) {
+    if (is_nearer(arcs()[k], x, level)) return first = k, false;
+  }
+  return true;
+}
+
+bool Ring::is_seen(const Vec3& x) const {
+  return std::all_of(arcs().begin(), arcs().end(),
+                     [&](const Arc& arc) { return dot(x, arc.normal) > kSurelyPositive; });
+}
+
+}  // namespace nearwall::surface
