@@ -12,6 +12,7 @@
 
 #include "nearwall/core/errors.h"
 #include "nearwall/io/pending_file.h"
+#include "nearwall/studies/bohdal.h"
 #include "nearwall/studies/ubach.h"
 #include "program/cli.h"
 
@@ -24,6 +25,7 @@ using nlohmann::json;
 struct StudyArguments {
   std::string folder;
   studies::UbachOptions ubach;
+  studies::BohdalOptions bohdal;
 };
 
 json json_of(const studies::Table& table) {
@@ -96,6 +98,21 @@ void add_ubach(CommandLine& line, CLI::App& parent) {
   app.add_option("--seed", arguments->ubach.seed, "of the random numbers")->type_name("N")->capture_default_str();
 }
 
+void add_bohdal(CommandLine& line, CLI::App& parent) {
+  constexpr int kMostRepetitions = 1000;
+  const auto arguments = std::make_shared<StudyArguments>();
+  CLI::App& app = add_study(
+      line, parent, "bohdal", "normals of nine functions over random points, and interpolants from them (Bohdal 2017)",
+      "[--repetitions N] [--seed N]", arguments, [](const StudyArguments& a, CommandContext& context) {
+        return studies::study_bohdal(a.bohdal, context.console);
+      });
+  app.add_option("--repetitions", arguments->bohdal.repetitions, "sets of 36 meshes")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostRepetitions))
+      ->capture_default_str();
+  app.add_option("--seed", arguments->bohdal.seed, "of the random points")->type_name("N")->capture_default_str();
+}
+
 }  // namespace
 
 void add_study_command(CommandLine& line) {
@@ -106,6 +123,7 @@ void add_study_command(CommandLine& line) {
                });
   app.require_subcommand(0, 1);
   add_ubach(line, app);
+  add_bohdal(line, app);
 }
 
 }  // namespace nearwall::program

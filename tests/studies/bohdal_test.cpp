@@ -1,0 +1,142 @@
+#include "nearwall/studies/bohdal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/core/parallel.h"
+#include "nearwall/geometry/angles.h"
+#include "studies/height_field.h"
+
+namespace nearwall::studies {
+namespace {
+
+std::size_t number_of(std::string_view name) {
+  const auto at =
+      std::find_if(kBohdalMethods.begin(), kBohdalMethods.end(), [&](const auto& m) { return m.name == name; });
+  EXPECT_NE(at, kBohdalMethods.end()) << name;
+  return static_cast<std::size_t>(at - kBohdalMethods.begin());
+}
+
+class BohdalStudy : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    constexpr std::array<std::size_t, 4> kSizes = {4900, 2500, 900, 100};
+    errors_ = new std::vector<BohdalErrors>(9 * kSizes.size());
+    parallel_blocks(errors_->size(), 1, [&](std::size_t i, std::size_t) {
+      (*errors_)[i] = bohdal_errors(static_cast<int>(i % 9) + 1, kSizes[i / 9], 11);
+    });
+  }
+  static void TearDownTestSuite() { delete errors_; }
+
+  static double mean_deg(std::string_view name, BohdalRemoval removal = BohdalRemoval::None) {
+    double sum = 0;
+    for (const BohdalErrors& e : *errors_) {
+      sum += std::log(e.normals_deg[static_cast<std::size_t>(removal)][number_of(name)]);
+    }
+    return std::exp(sum / static_cast<double>(errors_->size()));
+  }
+
+  static inline std::vector<BohdalErrors>* errors_ = nullptr;
+};
+
+TEST_F(BohdalStudy, ReproducesTheGeometricMeansOfTheWeights) {
+  // From an independent computation; sets of 36 random meshes differ by some five percent.
+  const std::map<std::string, double> expected = {{"Max", 1.44},     {"Little-Max", 1.77}, {"Little, r = 1", 2.01},
+                                                  {"Gouraud", 4.15}, {"Thürmer", 4.92},    {"Akima2", 5.53},
+                                                  {"Akima", 8.07}};
+  for (const auto& [name, mean] : expected) EXPECT_NEAR(mean_deg(name), mean, 0.1 * mean) << name;
+}
+
+TEST_F(BohdalStudy, ReproducesTheGeometricMeansOfTheFits) {
+  const std::map<std::string, double> expected = {{"thin plate, one ring", 1.53},
+                                                  {"thin plate, two rings", 0.90},
+                                                  {"Renka & Cline, two rings", 1.08},
+                                                  {"quadratic, two rings", 4.5},
+                                                  {"Nielson", 1.18}};
+  for (const auto& [name, mean] : expected) EXPECT_NEAR(mean_deg(name), mean, 0.15 * mean) << name;
+}
+
+TEST_F(BohdalStudy, RemovalHelpsWeakWeightsAndHarmsMax) {
+  EXPECT_NEAR(mean_deg("Akima", BohdalRemoval::ThinInPlane) / mean_deg("Akima"), 6.18 / 8.07, 0.1);
+  EXPECT_NEAR(mean_deg("Max", BohdalRemoval::UnsuitableEverywhere) / mean_deg("Max"), 1.25, 0.08);
+  EXPECT_LT(mean_deg("Max", BohdalRemoval::UnsuitableAtBoundary), 1.1 * mean_deg("Max"));
+}
+
+TEST_F(BohdalStudy, BetterNormalsMakeBetterInterpolants) {
+  const std::size_t fit = number_of("thin plate, two rings"), akima = number_of("Akima");
+  for (const BohdalErrors& e : *errors_) {
+    if (e.n_points == 100) continue;
+    EXPECT_LT(e.clough_tocher[fit], e.clough_tocher[akima]) << e.function << ", " << e.n_points;
+    EXPECT_LT(e.powell_sabin[fit], e.powell_sabin[akima]) << e.function << ", " << e.n_points;
+    EXPECT_LT(e.clough_tocher_of_truth, e.clough_tocher[akima]) << e.function << ", " << e.n_points;
+  }
+}
+
+TEST(BohdalErrorsOfAMesh, RefuseWhatIsNoMesh) {
+  EXPECT_THROW(bohdal_errors(0, 100, 1), InputError);
+  EXPECT_THROW(bohdal_errors(10, 100, 1), InputError);
+  EXPECT_THROW(bohdal_errors(1, 3, 1), InputError);
+}
+
+TEST(HeightField, DiffersByFunctionAndSeed) {
+  const auto first_point = [](int function, std::uint64_t seed) {
+    return height_field(function, 100, seed).points[0].x;
+  };
+  EXPECT_EQ(first_point(1, 1), first_point(1, 1));
+  EXPECT_NE(first_point(1, 1), first_point(2, 1));
+  EXPECT_NE(first_point(1, 1), first_point(1, 2));
+}
+
+TEST(WithoutThinBoundary, TakesThinTrianglesFromTheBoundaryInwards) {
+  // A side of the square with three points hardly inside it: two thin triangles hide a third.
+  const std::vector<Point2> points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 1e-3}, {0.25, 8e-4}};
+  const auto triangles = delaunay(points);
+  const auto left = without_thin_boundary(points, triangles, geometry::to_radians(178));
+  ASSERT_EQ(triangles.size(), 6u);
+  EXPECT_EQ(left.size(), 4u);
+  std::set<std::uint32_t> used;
+  for (const Triangle2& t : left) used.insert(t.begin(), t.end());
+  EXPECT_EQ(used.size(), points.size());
+}
+
+TEST(WithoutThinBoundary, LeavesInnerTrianglesAlone) {
+  const std::vector<Point2> points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0.9, 1}, {1, 1.0001}, {1.1, 1}};
+  const auto triangles = delaunay(points);
+  EXPECT_EQ(without_thin_boundary(points, triangles, geometry::to_radians(170)).size(), triangles.size());
+}
+
+TEST(RandomPlaces, LieInTheirTriangles) {
+  const HeightField field = height_field(1, 100, 1);
+  for (const Place& place : random_places(field, 1000, 1)) {
+    const Triangle2& t = field.triangles[place.triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point2 &a = field.points[t[k]], &b = field.points[t[(k + 1) % 3]], &p = place.point;
+      EXPECT_GT((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x), -1e-15);
+    }
+  }
+}
+
+TEST(RandomPlaces, AreUniformInTheHull) {
+  const HeightField field = height_field(1, 100, 1);
+  double area = 0, moment = 0;
+  for (const Triangle2& t : field.triangles) {
+    const Point2 &a = field.points[t[0]], &b = field.points[t[1]], &c = field.points[t[2]];
+    const double of_triangle = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    area += of_triangle, moment += of_triangle * (a.x + b.x + c.x) / 3;
+  }
+  constexpr std::size_t n = 20000;
+  double sum = 0;
+  for (const Place& place : random_places(field, n, 1)) sum += place.point.x;
+  // The coordinate of a place has a standard deviation of about sqrt(1 / 12).
+  EXPECT_NEAR(sum / n, moment / area, 5 * std::sqrt(1.0 / 12 / n));
+}
+
+}  // namespace
+}  // namespace nearwall::studies
