@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,13 @@ class FanNormals {
   void for_each_face(VertexId v, std::span<const HalfedgeId> faces, const Body& body) const;
   Vec3 weighted_sum(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const;
   Vec3 weighted_sum_of_suitable(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const;
+  bool is_left_out(HalfedgeId h) const;
   bool drops_unsuitable(VertexId v) const;
   void gather(std::span<const HalfedgeId> faces);
   PointNormal optimal(VertexId v, std::span<const HalfedgeId> faces);
+  std::optional<NormalNormal> most_normal(VertexId v, std::span<const HalfedgeId> faces);
+  PointNormal answer_or_most_visible(const std::optional<VisibleNormal>& answer, VertexId v,
+                                     std::span<const HalfedgeId> faces);
   PointNormal most_visible_or(const Vec3& direction, bool is_fallback);
 
   const mesh::SurfaceMesh& surface_;
@@ -43,6 +48,7 @@ class FanNormals {
   const Features& features_;
   const NormalOptions& options_;
   const std::vector<char>& is_left_out_;
+  std::vector<Vec3> ring_;
   std::vector<Vec3> room_;
   std::span<const Vec3> normals_;  // of the run's faces with an area, in room_
 };

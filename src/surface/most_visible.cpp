@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
@@ -12,6 +11,7 @@
 #include "surface/normals_cap.h"
 #include "surface/normals_existence.h"
 #include "surface/normals_visible.h"
+#include "surface/scratch.h"
 
 namespace nearwall::surface {
 
@@ -36,23 +36,6 @@ std::optional<VisibleNormal> most_visible_at_the_limit(std::span<const Vec3> giv
   if (!direction) return std::nullopt;
   return VisibleNormal{*direction, below_right_angle(angle_of(squared_chord_to_worst(*direction, units)))};
 }
-
-/// Vectors for one call: on the stack for all but extraordinary vertices.
-class Scratch {
- public:
-  explicit Scratch(std::size_t n) {
-    if (n > small_.size()) large_.resize(n);
-    data_ = large_.empty() ? small_.data() : large_.data();
-  }
-  void add(const Vec3& v) { data_[n_++] = v; }
-  std::span<const Vec3> all() const { return {data_, n_}; }
-
- private:
-  std::array<Vec3, 24> small_;
-  std::vector<Vec3> large_;
-  Vec3* data_ = nullptr;
-  std::size_t n_ = 0;
-};
 
 }  // namespace
 
@@ -84,7 +67,7 @@ std::optional<VisibleNormal> most_visible_of(std::span<const Vec3> given, std::s
 }
 
 std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_normals) {
-  Scratch given(face_normals.size()), units(face_normals.size());
+  Scratch<Vec3> given(face_normals.size()), units(face_normals.size());
   for (const Vec3& normal : face_normals) {
     if (!is_finite(normal)) throw InputError("most_visible_normal: expected finite normals, found one that is not");
     if (!(max_norm(normal) > 0)) continue;

@@ -9,6 +9,7 @@
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
 #include "surface/fan_normals.h"
+#include "surface/thin_faces.h"
 
 namespace nearwall::surface {
 
@@ -113,6 +114,13 @@ IdVector<VertexId, std::uint32_t> offsets(const Topology& topology, const IdVect
   return offset;
 }
 
+/// The ridges that divide the faces round their ends.
+IdVector<HalfedgeId, char> separators(const mesh::SurfaceMesh& surface, const Topology& topology,
+                                      const Features& features, Separation separation, const GroupOptions& groups) {
+  return separation == Separation::Groups ? ridges_with_several_lines(surface, topology, features, groups)
+                                          : features.is_ridge;
+}
+
 }  // namespace
 
 IdVector<HalfedgeId, char> ridges_with_several_lines(const mesh::SurfaceMesh& surface, const Topology& topology,
@@ -140,6 +148,12 @@ IdVector<HalfedgeId, char> ridges_with_several_lines(const mesh::SurfaceMesh& su
   return has_several;
 }
 
+IdVector<VertexId, std::uint32_t> group_offsets(const mesh::SurfaceMesh& surface, const Topology& topology,
+                                                const Features& features, Separation separation,
+                                                const GroupOptions& groups) {
+  return offsets(topology, separators(surface, topology, features, separation, groups));
+}
+
 bool is_for_runs(NormalMethod method) {
   return weight_of(method).has_value() || method == NormalMethod::MostVisible || method == NormalMethod::Kallinderis ||
          method == NormalMethod::Pirzadeh || method == NormalMethod::Iterative;
@@ -155,17 +169,14 @@ PatchNormals patch_normals(const mesh::SurfaceMesh& surface, const Topology& top
                     "found {}",
                     method_name(options.method)));
   }
-  IdVector<HalfedgeId, char> several;
-  if (separation == Separation::Groups) several = ridges_with_several_lines(surface, topology, features, groups);
-  const IdVector<HalfedgeId, char>& is_separator = separation == Separation::Groups ? several : features.is_ridge;
-
+  const IdVector<HalfedgeId, char> is_separator = separators(surface, topology, features, separation, groups);
   PatchNormals result;
   result.offset = offsets(topology, is_separator);
   result.normal.resize(result.offset.raw().back());
   result.group_of_corner.resize(3 * topology.n_faces());
-  const std::vector<char> none_left_out;
+  const std::vector<char> is_left_out = thin_boundary_faces(surface, topology, options.thin_angle);
   parallel_blocks(topology.n_vertices(), kBlock, [&](std::size_t begin, std::size_t end) {
-    FanNormals fans(surface, topology, features, options, none_left_out);
+    FanNormals fans(surface, topology, features, options, is_left_out);
     Runs runs(topology, is_separator);
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);

@@ -42,6 +42,12 @@ struct PatchNormals {
   const PointNormal& at(HalfedgeId h) const { return normal[group_of_corner[h]]; }
 };
 
+/// Where the groups of each vertex begin, if all groups are numbered through: (n_vertices + 1).
+/// \throws InputError if the angle is out of range.    Cost: O(n_faces).
+IdVector<VertexId, std::uint32_t> group_offsets(const mesh::SurfaceMesh& surface, const mesh::Topology& topology,
+                                                const Features& features, Separation separation,
+                                                const GroupOptions& groups = {});
+
 /// Whether a method can be asked for the normal of some of the faces round a vertex: the weighted means, MostVisible,
 /// Kallinderis, Pirzadeh and Iterative can.
 bool is_for_runs(NormalMethod method);
