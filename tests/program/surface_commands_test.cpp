@@ -100,7 +100,8 @@ TEST(NormalsCommand, WritesNormalsOfClosedAndOpenSurfaces) {
     // A cube's corner sees its three faces best along the diagonal, under arccos(1 / sqrt(3)).
     EXPECT_NEAR(result["largest_visibility_angle"].get<double>(), 54.735610317245346, 1e-6);
     const std::string file = place.read("normals.vtp");
-    for (const char* array : {"Normals", "VisibilityAngle", "PointKind", "Turn"}) {
+    for (const char* array :
+         {"Normals", "VisibilityAngle", "PointKind", "Patches", "Groups", "Fallback", "Vertex", "Turn"}) {
       EXPECT_THAT(file, HasSubstr("\"" + std::string(array) + "\""));
     }
   }
@@ -132,15 +133,41 @@ TEST(Lengths, AreFiniteAndNotNegativeAndTheAnswerIsShort) {
   EXPECT_EQ(place.run({"check", "cube.obj", "--weld", "1e-9"}).exit_code, 0);
 }
 
-TEST(NormalsCommand, KnowsMethodsOfLaterVersions) {
+TEST(NormalsCommand, KnowsAllMethodsAndFilters) {
+  Workplace place;
+  place.write_open_cube("open.obj");
+  for (const char* method : {"most-normal", "kallinderis", "little-1/2", "angle-over-circumarea", "nielson"}) {
+    const Outcome outcome = place.run(
+        {"normals", "open.obj", "--method", method, "--filter", "most-visible-taubin", "-o", "n.vtp", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << method << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["method"], method);
+  }
+  const Outcome method = place.run({"normals", "open.obj", "--method", "most-visibel", "-o", "n.vtp"});
+  EXPECT_EQ(method.exit_code, 2);
+  EXPECT_THAT(method.err, HasSubstr("did you mean 'most-visible'?"));
+  const Outcome filter = place.run({"normals", "open.obj", "--filter", "taubim", "-o", "n.vtp"});
+  EXPECT_EQ(filter.exit_code, 2);
+  EXPECT_THAT(filter.err, HasSubstr("did you mean 'taubin'?"));
+}
+
+TEST(NormalsCommand, GivesEachDiscretePatchAPointOfItsOwn) {
   Workplace place;
   place.write_cube("cube.obj");
-  const Outcome later = place.run({"normals", "cube.obj", "--method", "little-1/2", "-o", "n.vtp"});
-  EXPECT_EQ(later.exit_code, 2);
-  EXPECT_THAT(later.err, HasSubstr("not in this version"));
-  const Outcome wrong = place.run({"normals", "cube.obj", "--method", "most-visibel", "-o", "n.vtp"});
+  const auto points = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"normals", "cube.obj", "-o", "n.vtp", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = place.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  };
+  EXPECT_EQ(points({"--per", "patch"})["points"], 24);
+  EXPECT_EQ(points({"--per", "patch"})["largest_visibility_angle"], 0);
+  EXPECT_EQ(points({"--per", "group"})["points"], 8);
+  EXPECT_EQ(points({"--per", "group", "--multi-angle", "80"})["points"], 24);
+  const Outcome wrong = place.run({"normals", "cube.obj", "-o", "n.vtp", "--per", "patch", "--method", "hardy"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("did you mean 'most-visible'?"));
+  EXPECT_THAT(wrong.err, HasSubstr("hardy"));
+  EXPECT_EQ(place.run({"normals", "cube.obj", "-o", "n.vtp", "--per", "patch", "--filter", "taubin"}).exit_code, 2);
 }
 
 TEST(ConvertCommand, KeepsPointsTrianglesAndPatches) {
