@@ -4,6 +4,7 @@
 
 #include "nearwall/certify/certificate.h"
 #include "nearwall/geometry/angles.h"
+#include "nearwall/surface/patch_normals.h"
 
 namespace nearwall::pipeline {
 
@@ -55,6 +56,9 @@ void add_point_arrays(const layers::Wall& wall, const layers::Growth& growth, io
                                return to_int(growth.front.first_line[v.index() + 1] -
                                              growth.front.first_line[v.index()]);
                              })});
+  const auto offset = surface::group_offsets(wall.surface, wall.topology, wall.features, surface::Separation::Groups);
+  file.point_data.push_back(
+      {"Groups", values(vertices, [&](VertexId v) { return to_int(offset[VertexId(v.index() + 1)] - offset[v]); })});
   file.point_data.push_back({"Levels", values(vertices, [&](VertexId v) {
                                const mesh::Window window = growth.lines.windows[line(v)];
                                return to_int(window.moves() ? window.end : Level{0});
