@@ -11,6 +11,7 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
+#include "nearwall/surface/iterative_normals.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 #include "surface/smoothing_room.h"
@@ -124,8 +125,9 @@ class Mover {
       const Vec3 middle = unit_vector(sum);
       if (1.0 - 0.5 * squared_chord_to_worst(middle, room_) > options_.trigger) return middle;
     }
-    const Cap cap = smallest_cap(room_);
-    return cap.centre != Vec3{} ? cap.centre : own;
+    const Vec3 best =
+        options_.search == Search::Direct ? smallest_cap(room_).centre : iterative_normal(room_).direction;
+    return best != Vec3{} ? best : own;
   }
 
   const SmoothingOptions& options_;

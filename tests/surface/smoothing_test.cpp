@@ -170,6 +170,22 @@ TEST(SmoothNormals, MostVisibleTakesTheDirectionThatSeesItsNeighboursBest) {
   }
 }
 
+TEST(SmoothNormals, IterativeSearchComesToTheSameWithinItsTolerance) {
+  const Prepared wavy(waves(24));
+  const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
+  SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
+  options.lambda = 1;
+  options.search = Search::Iterative;
+  const Normals after = wavy.smoothed(noisy, options);
+  for (const VertexId v : noisy.ids()) {
+    const std::vector<Vec3> ring = ring_of(wavy, noisy, v);
+    if (wavy.topology.is_boundary(v)) continue;
+    const double worst = static_cast<double>(fans::worst_angle(fans::to_long(after[v].direction), ring));
+    if (std::cos(worst) > kVisibilityTrigger) continue;
+    EXPECT_LT(worst, static_cast<double>(fans::smallest_worst_angle(ring)) + 0.02);
+  }
+}
+
 TEST(SmoothNormals, MostVisibleTakesTheMeanWhereItSeesAllNeighboursWell) {
   const Prepared wavy(waves(24));
   const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
