@@ -126,7 +126,7 @@ class Mover {
       if (1.0 - 0.5 * squared_chord_to_worst(middle, room_) > options_.trigger) return middle;
     }
     const Vec3 best =
-        options_.search == Search::Direct ? smallest_cap(room_).centre : iterative_normal(room_).direction;
+        options_.search == SearchMethod::Direct ? smallest_cap(room_).centre : iterative_normal(room_).direction;
     return best != Vec3{} ? best : own;
   }
 

@@ -175,7 +175,7 @@ TEST(SmoothNormals, IterativeSearchComesToTheSameWithinItsTolerance) {
   const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
   SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
   options.lambda = 1;
-  options.search = Search::Iterative;
+  options.search = SearchMethod::Iterative;
   const Normals after = wavy.smoothed(noisy, options);
   for (const VertexId v : noisy.ids()) {
     const std::vector<Vec3> ring = ring_of(wavy, noisy, v);

@@ -30,7 +30,7 @@ std::string_view filter_name(SmoothingFilter filter);
 std::optional<SmoothingFilter> smoothing_filter(std::string_view name);
 
 /// How the most visible normal of the neighbours is found.
-enum class Search {
+enum class SearchMethod {
   Direct,     ///< `most_visible_normal`
   Iterative,  ///< `iterative_normal`, to compare: slower, and to its tolerance only
 };
@@ -43,7 +43,7 @@ struct SmoothingOptions {
   /// The most visible normal of neighbours whose mean sees them all with a cosine above this is taken to be that mean,
   /// (0, 1]; 1: never (Aubry & Loehner 2008, section 5).
   double trigger = kVisibilityTrigger;
-  Search search = Search::Direct;  ///< beyond the trigger
+  SearchMethod search = SearchMethod::Direct;  ///< beyond the trigger
 };
 
 /// Smooths the normals of the vertices. Corners, ridge ends and tips keep theirs; ridge vertices look at their two
