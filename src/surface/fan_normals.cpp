@@ -108,7 +108,7 @@ PointNormal FanNormals::judge(const Vec3& direction, std::span<const HalfedgeId>
 
 PointNormal FanNormals::of(VertexId v, std::span<const HalfedgeId> faces) {
   if (faces.empty()) return judge({}, faces);
-  if (const auto weight = weight_of(options_.method)) return judge(mean(*weight, v, faces), faces);
+  if (weight_) return judge(mean(*weight_, v, faces), faces);
   switch (options_.method) {
     case NormalMethod::MostVisible:
     case NormalMethod::MostNormal:

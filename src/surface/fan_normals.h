@@ -15,7 +15,12 @@ class FanNormals {
   /// \param is_left_out  (n_faces) faces that weighted means pass over; empty: none
   FanNormals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
              const NormalOptions& options, const std::vector<char>& is_left_out)
-      : surface_(surface), topology_(topology), features_(features), options_(options), is_left_out_(is_left_out) {}
+      : surface_(surface),
+        topology_(topology),
+        features_(features),
+        options_(options),
+        is_left_out_(is_left_out),
+        weight_(weight_of(options.method)) {}
 
   /// Normal of v for a run of the faces round it.
   /// \param faces  halfedges that leave v, one for each face, counterclockwise without a gap
@@ -48,6 +53,7 @@ class FanNormals {
   const Features& features_;
   const NormalOptions& options_;
   const std::vector<char>& is_left_out_;
+  std::optional<Weight> weight_;  // of the method, if it is a weighted mean
   std::vector<Vec3> ring_;
   std::vector<Vec3> room_;
   std::span<const Vec3> normals_;  // of the run's faces with an area, in room_
