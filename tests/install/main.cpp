@@ -16,6 +16,15 @@ int main(int, char** argv) {
   const auto visible = nearwall::surface::most_visible_normal(normals);
   if (!visible || std::abs(visible->max_angle - std::acos(1 / std::sqrt(3.0))) > 1e-12) return 1;
 
+  // A cube's corner: 90 degrees less the angle to the planes' normals in a room's corner, as much beyond them outside.
+  const Vec3 apex(0, 0, 0);
+  const std::array<Vec3, 3> inner = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  const auto normal = nearwall::surface::most_normal_normal(apex, inner);
+  if (!normal || !normal->in_visibility_cone) return 4;
+  if (std::abs(normal->min_distance - std::asin(1 / std::sqrt(3.0))) > 1e-12) return 5;
+  const Vec3 weighted = nearwall::surface::weighted_normal(nearwall::surface::Weight::Max, apex, inner);
+  if (std::abs(weighted.x() - 1 / std::sqrt(3.0)) > 1e-13) return 6;
+
   const std::array<Vec3, 6> wedge = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0),
                                      Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)};
   if (nearwall::predicates::wedge(wedge) != nearwall::predicates::Positivity::Positive) return 2;
