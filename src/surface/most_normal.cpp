@@ -30,6 +30,14 @@ std::optional<NormalNormal> opposite_of_cap(const Ring& ring) {
   return NormalNormal{x, 2.0 * kRightAngle - radius, ring.is_seen(x)};
 }
 
+/// Whether the arcs lie round a direction that the most visible normal looks away from: a guess at the above.
+bool looks_like_tip(const Ring& ring) {
+  Vec3 sum;
+  for (const Arc& arc : ring.arcs()) sum += arc.start;
+  return dot(sum, ring.most_visible()) < 0 &&
+         std::all_of(ring.arcs().begin(), ring.arcs().end(), [&](const Arc& arc) { return dot(sum, arc.start) > 0; });
+}
+
 NormalNormal judged(const Ring& ring, const Candidate& c) {
   return {c.direction, c.distance.angle(), ring.is_seen(c.direction)};
 }
@@ -42,12 +50,17 @@ std::optional<NormalNormal> most_normal_normal(const Vec3& apex, std::span<const
   Search search(ring);
   if (ring.reflex().empty()) return judged(ring, search.best());
   const bool is_flat = search.best().distance.cosine < kSurelyObtuse;
-  if (!is_flat) {
-    search.climb();
-    if (search.is_proven()) return judged(ring, search.best());
+  const bool is_tip = is_flat || looks_like_tip(ring);
+  if (is_tip) {
+    if (const auto opposite = opposite_of_cap(ring)) return opposite;
   }
-  if (const auto opposite = opposite_of_cap(ring)) return opposite;
-  return judged(ring, is_flat ? search.best() : search.prove());
+  if (is_flat) return judged(ring, search.best());
+  search.climb();
+  if (search.is_proven()) return judged(ring, search.best());
+  if (!is_tip) {
+    if (const auto opposite = opposite_of_cap(ring)) return opposite;
+  }
+  return judged(ring, search.prove());
 }
 
 }  // namespace nearwall::surface

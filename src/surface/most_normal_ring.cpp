@@ -97,13 +97,15 @@ Place Ring::place(const Vec3& x) const {
   const Arc& nearest = arcs()[vertex];
   // The way to the nearest point of the ring crosses no arc, so the side is that from which it is met there.
   Place place{{norm(cross(x, nearest.start)), dot(x, nearest.start)},
-              dot(x, nearest.normal + arcs()[before(vertex)].normal) > 0};
-  for (const Arc& arc : arcs()) {
+              dot(x, nearest.normal + arcs()[before(vertex)].normal) > 0,
+              arcs().size() + vertex};
+  for (std::size_t k = 0; k < arcs().size(); ++k) {
+    const Arc& arc = arcs()[k];
     const double ahead = dot(x, arc.ahead);
     if (!(ahead > 0 && dot(x, arc.beyond) < 0)) continue;
     const double height = dot(x, arc.normal), across = dot(x, arc.start);
     const Distance distance{std::abs(height), std::sqrt(across * across + ahead * ahead)};
-    if (is_less(distance, place.distance)) place = {distance, height > 0};
+    if (is_less(distance, place.distance)) place = {distance, height > 0, k};
   }
   return place;
 }

@@ -48,6 +48,7 @@ struct Arc {
 struct Place {
   Distance distance;
   bool is_inside = false;  ///< in the fluid
+  std::size_t site = 0;    ///< number of the arc, or n_arcs and that of the arc which starts at the nearest vertex
 };
 
 /// Closed ring of arcs about a direction that sees all of them.

@@ -10,11 +10,18 @@
 
 namespace nearwall::surface {
 
+/// Least turn, in cosine, with which three sites hold a sharp maximum.
+inline constexpr double kSharp = 1e-6;
+
 /// A direction in the fluid and its distance from the nearest arc.
 struct Candidate {
   Vec3 direction;
   Distance distance;
 };
+
+/// Level above the best distance at which it is proved that nothing is better [rad]: more than the rounding of
+/// distances, less than anybody asks for.
+inline constexpr double kDistanceStep = 1e-12;
 
 /// Search for the direction farthest from the arcs of a ring that nothing is farther from than a right angle.
 /// docs/theory/most-normal.md, steps 3 to 5.
@@ -24,27 +31,46 @@ class Search {
 
   const Candidate& best() const { return best_; }
 
-  /// Goes uphill from the best direction: to the point equally far from the three sites that hold it there, again and
-  /// again.
+  /// Goes uphill from the best direction, to where the two or three sites in its way hold it, again and again.
   void climb();
 
-  /// Whether the three sites that hold the best direction prove by themselves that no other is as good.
+  /// Whether the sites that hold the best direction prove by themselves that no other is as good.
   bool is_proven() const;
 
   /// Finds and proves the best direction, and of several equally good ones that nearest to the most visible normal.
   Candidate prove();
 
  private:
-  using Support = std::array<std::size_t, 3>;
+  /// Numbers of sites: the planes of the arcs from 0 on, the starts of the arcs from n_arcs on.
+  struct Support {
+    std::array<std::size_t, 3> site{};
+    std::size_t n = 0;
+  };
 
+  /// Sites that may hold a maximum: all planes, and the vertices that are not convex.
   std::size_t n_sites() const { return ring_.arcs().size() + ring_.reflex().size(); }
+  std::size_t number(std::size_t i) const {
+    const std::size_t n = ring_.arcs().size();
+    return i < n ? i : n + ring_.reflex()[i - n];
+  }
   Site site(std::size_t q) const;
   Vec3 foot(const Vec3& x, std::size_t q) const;
   bool is_in_zone(const Vec3& x, std::size_t q) const;
 
   bool raise(const Vec3& x);
-  std::optional<Support> support_of(const Vec3& x) const;
-  double spread() const;
+  bool raise_from(const Support& support);
+  bool raise_from_any(const std::array<std::size_t, 3>& sites);
+  bool is_held() const;
+  double least_turn() const;
+  /// Angles about the best direction within which nothing is as good, to the side given and to the other; sine 0 if
+  /// that is not known.
+  struct Local {
+    Vec3 side;
+    Distance positive, negative;
+  };
+  Local local_proof() const;
+  Local local_proof_by_two() const;
+  bool is_proven_beyond(const Local& local) const;
 
   template <class Visit>
   bool visit_corners(const Distance& distance, double slack, Visit&& visit);
@@ -57,7 +83,7 @@ class Search {
 
   const Ring& ring_;
   Candidate best_;
-  std::optional<Support> support_;
+  Support support_;  ///< what holds the best direction, as far as known
   std::size_t in_the_way_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace nearwall::surface {
 
 /// Values for one call: on the stack for all but extraordinary vertices.
-template <class T>
+template <class T, std::size_t kSmall = 24>
 class Scratch {
  public:
   explicit Scratch(std::size_t n) {
@@ -23,7 +23,7 @@ class Scratch {
   std::span<T> all() { return {data_, n_}; }
 
  private:
-  std::array<T, 24> small_;
+  std::array<T, kSmall> small_;
   std::vector<T> large_;
   T* data_ = nullptr;
   std::size_t n_ = 0;
