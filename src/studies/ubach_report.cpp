@@ -36,18 +36,28 @@ Table rmse_table(const Cells& cells, int n_faces) {
   return table;
 }
 
-/// Largest standard error of each cell's errors, over them: how far the tables can be trusted.
-Table spread_table(const Cells& cells) {
-  Table table{.title = "Largest relative standard error over all cells, in percent",
-              .row_title = "",
-              .columns = weight_titles()};
-  std::vector<double> worst(kUbachWeights.size(), 0);
-  for (const UbachCell& cell : cells) {
-    for (std::size_t w = 0; w < worst.size(); ++w) {
-      worst[w] = std::max(worst[w], 100 * cell.standard_error_deg[w] / cell.rmse_deg[w]);
-    }
+Table faces_table(const Cells& cells) {
+  Table table{.title = "RMSE in degrees, k_max = 0.1", .row_title = "n_p", .columns = weight_titles()};
+  for (const UbachCell& cell : chosen(cells, [](const auto& c) { return c.max_curvature == kMiddleCurvature; })) {
+    table.rows.push_back({fmt::format("{}", cell.n_faces), {cell.rmse_deg.begin(), cell.rmse_deg.end()}});
   }
-  table.rows.push_back({"percent", worst});
+  return table;
+}
+
+/// How far the tables can be trusted.
+Table spread_table(const Cells& cells) {
+  Table table{.title = "Largest standard error of the RMSE over all k_max, in percent of it",
+              .row_title = "n_p",
+              .columns = weight_titles()};
+  for (const int n : kUbachFaces) {
+    std::vector<double> worst(kUbachWeights.size(), 0);
+    for (const UbachCell& cell : chosen(cells, [&](const auto& c) { return c.n_faces == n; })) {
+      for (std::size_t w = 0; w < worst.size(); ++w) {
+        worst[w] = std::max(worst[w], 100 * cell.standard_error_deg[w] / cell.rmse_deg[w]);
+      }
+    }
+    table.rows.push_back({fmt::format("{}", n), worst});
+  }
   return table;
 }
 
@@ -148,6 +158,7 @@ Report study_ubach(const UbachOptions& options, ProgressSink& progress) {
       .settings = fmt::format("Ubach et al. 2013: {} surfaces for each cell, seed {}.", options.samples, options.seed)};
   for (const int n : kUbachFaces) report.tables.push_back(rmse_table(cells, n));
   for (const int n : kUbachFaces) report.pictures.push_back(curvature_plot(cells, n));
+  report.tables.push_back(faces_table(cells));
   report.tables.push_back(ratio_table(cells));
   report.tables.push_back(spread_table(cells));
   report.tables.push_back(torus_table(torus));
