@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "nearwall/geometry/arctangent.h"
+
 namespace nearwall::geometry {
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+double angle_between(const Vec3& a, const Vec3& b) { return angle_from(norm(cross(a, b)), dot(a, b)); }
 
 double corner_angle(const Vec3& apex, const Vec3& b, const Vec3& c) { return angle_between(b - apex, c - apex); }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "nearwall/core/vec3.h"
+#include "nearwall/geometry/arctangent.h"
 #include "nearwall/surface/normals.h"
 
 namespace nearwall::surface {
@@ -17,7 +18,7 @@ class FaceCorner {
 
   double sine() const { return norm(area_vector_); }                                       ///< b c sin(alpha)
   double sine_from_z() const { return std::abs(area_vector_.z()); }                        ///< the same, seen along z
-  double angle() const { return std::atan2(sine(), dot(b_, c_)); }                         ///< alpha
+  double angle() const { return geometry::angle_from(sine(), dot(b_, c_)); }               ///< alpha
   double squared_bc() const { return squared_norm(b_) * squared_norm(c_); }                ///< (b c)^2
   double squared_abc() const { return squared_norm(a_) * squared_bc(); }                   ///< (a b c)^2
   double squared_curvature() const { return squared_norm(area_vector_) / squared_abc(); }  ///< (sin(alpha) / a)^2

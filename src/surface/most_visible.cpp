@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "nearwall/core/errors.h"
-#include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/arctangent.h"
 #include "nearwall/predicates/orientation.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_existence.h"
@@ -20,7 +20,10 @@ namespace {
 constexpr double kRightAngle = std::numbers::pi / 2;
 
 double cosine_of(double squared_chord) { return 1.0 - 0.5 * squared_chord; }
-double angle_of(double squared_chord) { return 2.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(squared_chord))); }
+double angle_of(double squared_chord) {
+  const double squared_sine = std::min(1.0, 0.25 * squared_chord);
+  return 2.0 * geometry::angle_from(std::sqrt(squared_sine), std::sqrt(1.0 - squared_sine));
+}
 
 /// A direction that sees all faces sees the worst one under less than a right angle, however little.
 double below_right_angle(double angle) { return std::min(angle, std::nextafter(kRightAngle, 0.0)); }
