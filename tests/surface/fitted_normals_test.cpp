@@ -280,6 +280,45 @@ TEST(FittedNormal, GivesNothingWhereTheFitIsOpen) {
   }
 }
 
+TEST(FittedNormal, GivesNothingWhereTheFitIsOpenButForRounding) {
+  Random random(13);
+  for (int trial = 0; trial < 50; ++trial) {
+    Scattered scattered(random, 16);
+    for (auto& [x, y] : scattered.at) y = 0.5 * x + random.uniform(-1e-11, 1e-11);
+    scattered.lift(wave);
+    for (const Fit fit : {Fit::LinearLeastSquares, Fit::QuadraticLeastSquares, Fit::RenkaCline}) {
+      EXPECT_FALSE(fitted_normal(fit, scattered.point, scattered.axis, scattered.neighbours)) << name(fit);
+    }
+    Scattered folded(random, 12);
+    folded.at.push_back({folded.at[3][0] + 1e-9, folded.at[3][1]});
+    folded.lift([&](double, double) { return random.uniform(-1, 1); });
+    for (const Fit fit : {Fit::Hardy, Fit::ThinPlate}) {
+      EXPECT_FALSE(fitted_normal(fit, folded.point, folded.axis, folded.neighbours)) << name(fit);
+    }
+  }
+}
+
+TEST(FittedNormal, GrowsSteeperWithTheHeightsWithoutLossOfDigits) {
+  Random random(14);
+  const Vec3 z(0, 0, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    Scattered scattered(random, 14);
+    std::vector<Vec3> flat, steep;
+    for (const auto& [x, y] : scattered.at) {
+      const double height = random.uniform(-1, 1);
+      flat.emplace_back(x, y, height), steep.emplace_back(x, y, height * 0x1p16);
+    }
+    for (const Fit fit : kFits) {
+      const auto low = fitted_normal(fit, {}, z, flat), high = fitted_normal(fit, {}, z, steep);
+      ASSERT_TRUE(low && high) << name(fit);
+      for (const int axis : {0, 1}) {
+        const double slope = (*low)[axis] / low->z() * 0x1p16;
+        EXPECT_NEAR((*high)[axis] / high->z(), slope, 1e-14 * std::abs(slope)) << name(fit);
+      }
+    }
+  }
+}
+
 TEST(FittedNormal, IsAUnitVectorOnTheAxisSideOrNothingAsNeighboursMeet) {
   Random random(8);
   for (int exponent = 0; exponent < 80; ++exponent) {

@@ -229,6 +229,16 @@ TEST(MinimumNormNetwork, KeepsTheAxisWhereEdgesLeaveTheTangentPlaneOpen) {
   EXPECT_NE(normals[VertexId(0)], Vec3(0, 0, 1));
 }
 
+TEST(MinimumNormNetwork, LeavesEdgesAlongTheAxisOut) {
+  // Two upright triangles share the edge along the axis; seen from above, 0 still has two edges square to each other.
+  const auto surface = shapes::make_surface({{0, 0, 0}, {1, 0, 0.5}, {0, 0, 1}, {0, 1, -1}}, {{0, 1, 2}, {0, 2, 3}});
+  const Normals normals = network(surface, all_along(surface, {0, 0, 1}));
+  // 1 and 3 have one direction each and keep slope 0; at 0, 2 g0 + g1 = 0 along either edge: g0 is a quarter and a
+  // half.
+  EXPECT_LT(angle(normals[VertexId(0)], Vec3(-0.75, 1.5, 1)), 1e-14);
+  for (const Vec3& normal : normals) EXPECT_NEAR(norm(normal), 1, 1e-15);
+}
+
 TEST(MinimumNormNetwork, GivesUnitVectorsOnTheAxesSideWhateverTheAxes) {
   Random random(6);
   const auto surface = shapes::sphere(2);
