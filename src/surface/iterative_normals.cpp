@@ -7,6 +7,7 @@
 
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/arctangent.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 #include "surface/scratch.h"
@@ -57,7 +58,7 @@ class WeightedFan {
     for (std::size_t i = 0; i < size(); ++i) {
       const double chord = norm(units()[i] - direction);
       chords_.all()[i] = chord;
-      angles_.all()[i] = 2.0 * std::asin(std::min(1.0, 0.5 * chord));
+      angles_.all()[i] = geometry::angle_of_chord(chord * chord);
       worst = std::max(worst, angles()[i]);
     }
     return worst;
@@ -89,7 +90,7 @@ Mean mean_of(const WeightedFan& fan) {
   double spread = 0;
   for (std::size_t i = 0; i < fan.size(); ++i) spread += fan.weights()[i] * squared_norm(fan.units()[i] - sum);
   const double size = norm(sum);
-  return {size > kCancelled ? sum / size : Vec3{}, size, std::atan2(std::sqrt(spread), size)};
+  return {size > kCancelled ? sum / size : Vec3{}, size, geometry::angle_from(std::sqrt(spread), size)};
 }
 
 /// Gain of two normals at the same angle from their middle, Eq. (8), for two that are far apart: the one farthest from
@@ -102,7 +103,8 @@ double gain_of_extremes(std::span<const Vec3> units, const Vec3& mean) {
   };
   const Vec3 first = farthest_from(mean);
   const double sine = std::min(1.0, 0.5 * norm(farthest_from(first) - first));
-  return sine > 0 && sine < 1 ? sine / (std::sqrt(1.0 - sine * sine) * std::asin(sine)) : 1.0;
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  return sine > 0 && sine < 1 ? sine / (cosine * geometry::angle_from(sine, cosine)) : 1.0;
 }
 
 /// Section 3 of the paper, Eq. (5), with the weights damped as in Eq. (11) if the relaxation is chosen here.

@@ -3,6 +3,7 @@
 
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/arctangent.h"
 #include "nearwall/surface/iterative_normals.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
@@ -45,7 +46,7 @@ Vec3 middle_of_bisecting_plane(const Vec3& a, const Vec3& b, std::span<const Vec
   for (const Vec3& unit : units) {
     const double side = dot(unit, along), height = dot(unit, up);
     if (side == 0 && height == 0) return {};  // this face holds the whole plane
-    const double angle = std::atan2(side, height);
+    const double angle = std::copysign(geometry::angle_from(std::abs(side), height), side);
     least = std::min(least, angle);
     greatest = std::max(greatest, angle);
   }

@@ -20,11 +20,6 @@ namespace {
 constexpr double kRightAngle = std::numbers::pi / 2;
 
 double cosine_of(double squared_chord) { return 1.0 - 0.5 * squared_chord; }
-double angle_of(double squared_chord) {
-  const double squared_sine = std::min(1.0, 0.25 * squared_chord);
-  return 2.0 * geometry::angle_from(std::sqrt(squared_sine), std::sqrt(1.0 - squared_sine));
-}
-
 /// A direction that sees all faces sees the worst one under less than a right angle, however little.
 double below_right_angle(double angle) { return std::min(angle, std::nextafter(kRightAngle, 0.0)); }
 
@@ -37,7 +32,8 @@ std::optional<VisibleNormal> most_visible_at_the_limit(std::span<const Vec3> giv
   // The cone is open by no more than rounding: any direction in it is optimal to all digits.
   const std::optional<Vec3> direction = find_seeing_direction(given);
   if (!direction) return std::nullopt;
-  return VisibleNormal{*direction, below_right_angle(angle_of(squared_chord_to_worst(*direction, units)))};
+  return VisibleNormal{*direction,
+                       below_right_angle(geometry::angle_of_chord(squared_chord_to_worst(*direction, units)))};
 }
 
 }  // namespace
@@ -56,7 +52,7 @@ double squared_chord_to_worst(const Vec3& direction, std::span<const Vec3> norma
 
 PointNormal judged(const Vec3& direction, std::span<const Vec3> normals, double squared_chord) {
   const bool is_visible = cosine_of(squared_chord) > kSurelyPositive || sees_all(direction, normals);
-  const double angle = angle_of(squared_chord);
+  const double angle = geometry::angle_of_chord(squared_chord);
   return {direction, is_visible ? below_right_angle(angle) : std::max(angle, kRightAngle), is_visible};
 }
 
@@ -64,7 +60,7 @@ std::optional<VisibleNormal> most_visible_of(std::span<const Vec3> given, std::s
   const Cap cap = smallest_cap(units);
   const double worst_cosine = cosine_of(cap.squared_chord);
   if (worst_cosine > kSurelyPositive || (worst_cosine > 0 && sees_all(cap.centre, given))) {
-    return VisibleNormal{cap.centre, below_right_angle(angle_of(cap.squared_chord))};
+    return VisibleNormal{cap.centre, below_right_angle(geometry::angle_of_chord(cap.squared_chord))};
   }
   return most_visible_at_the_limit(given, units, cap);
 }

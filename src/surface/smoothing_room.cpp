@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/arctangent.h"
 #include "surface/normals_visible.h"
 
 namespace nearwall::surface {
@@ -21,7 +22,9 @@ constexpr double kSurely = 1.0 - 0x1p-30;
 double angle_of_leaving(const Vec3& normal, const Vec3& start, const Vec3& along, double cosine) {
   const double at_start = dot(normal, start), ahead = dot(normal, along);
   const double peak = std::sqrt(at_start * at_start + ahead * ahead);
-  return std::atan2(ahead, at_start) + std::acos(std::clamp(cosine / peak, -1.0, 1.0));
+  const double to_peak = geometry::angle_from(std::abs(ahead), at_start);
+  const double share = std::clamp(cosine / peak, -1.0, 1.0);
+  return (ahead < 0 ? -to_peak : to_peak) + geometry::angle_from(std::sqrt(1.0 - share * share), share);
 }
 
 }  // namespace

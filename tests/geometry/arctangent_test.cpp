@@ -42,5 +42,14 @@ TEST(AngleFrom, GrowsWhereItsPiecesMeet) {
   }
 }
 
+TEST(AngleOfChord, IsTheAngleBetweenUnitVectors) {
+  for (const double angle : {0.0, 1e-12, 0.3, kPi / 2, 3.0}) {
+    const double squared_chord = 4 * std::sin(angle / 2) * std::sin(angle / 2);
+    EXPECT_NEAR(angle_of_chord(squared_chord), angle, 1e-14 * angle);
+  }
+  EXPECT_EQ(angle_of_chord(4.0), kPi);
+  EXPECT_EQ(angle_of_chord(4.0 + 0x1p-50), kPi);
+}
+
 }  // namespace
 }  // namespace nearwall::geometry

@@ -30,4 +30,10 @@ inline double angle_from(double sine, double cosine) {
   return cosine < 0 ? std::numbers::pi - upright : upright;
 }
 
+/// Angle between two unit vectors at this squared distance, in [0, pi]; more than 4 counts as 4.
+inline double angle_of_chord(double squared_chord) {
+  const double squared_sine = squared_chord < 4 ? 0.25 * squared_chord : 1.0;
+  return 2.0 * angle_from(std::sqrt(squared_sine), std::sqrt(1.0 - squared_sine));
+}
+
 }  // namespace nearwall::geometry
