@@ -76,27 +76,43 @@ std::optional<std::array<std::size_t, 3>> points_around(const Vec3& x, std::span
   return std::array{nearest, left, right};
 }
 
+/// Smallest cosine, over all directions to leave x, of the turn to the nearest of three points at the same distance;
+/// negative if they do not surround it.
+double least_turn(const Vec3& x, const std::array<Vec3, 3>& points) {
+  double widest = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = points[k] - x * dot(points[k], x), u = points[(k + 1) % 3], b = u - x * dot(u, x);
+    if (!(dot(x, cross(a, b)) > 0)) return -1;
+    widest = std::min(widest, dot(a, b) / std::sqrt(squared_norm(a) * squared_norm(b)));
+  }
+  return std::sqrt(std::max(0.0, 0.5 * (1.0 + widest)));
+}
+
 /// Follows points of the ring round a direction, and sees whether all ways to leave it are barred by one of them.
 class Cover {
  public:
   /// Ways shorter than `positive`, or `negative`, need not be barred, on the two sides.
   Cover(const Candidate& centre, const Vec3& side, const Distance& positive, const Distance& negative)
-      : centre_(centre), side_(side), positive_(positive), negative_(negative) {}
+      : centre_(centre),
+        side_(side),
+        positive_{positive.cosine, 1.0 / positive.sine},
+        negative_{negative.cosine, 1.0 / negative.sine},
+        per_sine_(1.0 / centre.distance.sine) {}
 
   void add(const Vec3& u) {
-    const double cosine = centre_.distance.cosine, height = dot(u, centre_.direction);
+    const double height = dot(u, centre_.direction);
     const Vec3 aside = u - centre_.direction * height;
-    const double size = norm(aside);
-    const Distance& local = dot(aside, side_) > 0 ? positive_ : negative_;
-    const double least = std::max((cosine * (1.0 + height) + kMargin) / centre_.distance.sine,
-                                  (cosine + kMargin - local.cosine * height) / local.sine);
-    if (!(least < size)) return;
-    const double width = std::max(least / size, -1.0);
-    const Bar bar{aside / size, {std::sqrt(1.0 - width * width), width}};
+    const Way& way = dot(aside, side_) > 0 ? positive_ : negative_;
+    double least = std::max((centre_.distance.cosine * (1.0 + height) + kMargin) * per_sine_,
+                            (centre_.distance.cosine + kMargin - way.cosine * height) * way.per_sine);
+    const double squared_size = squared_norm(aside), squared_rest = squared_size - least * least;
+    if (least > 0 && !(squared_rest > 0)) return;
+    if (squared_rest < 0) least = -std::sqrt(squared_size);
+    const Bar bar{aside, least, squared_rest > 0 ? std::sqrt(squared_rest) : 0.0};
     if (n_bars_ > 0) {
       if (!(dot(centre_.direction, cross(last_.aside, bar.aside)) > 0)) return void(has_returned_ = false);
-      const double together = last_.half.cosine * bar.half.cosine - last_.half.sine * bar.half.sine;
-      const bool is_wide = last_.half.sine * bar.half.cosine + last_.half.cosine * bar.half.sine < 0;
+      const double together = last_.least * bar.least - last_.rest * bar.rest;
+      const bool is_wide = last_.rest * bar.least + last_.least * bar.rest < 0;
       is_unbroken_ = is_unbroken_ && (is_wide || together < dot(last_.aside, bar.aside));
     }
     last_ = bar;
@@ -108,15 +124,19 @@ class Cover {
   bool is_unbroken() const { return n_bars_ > 2 && has_returned_ && is_unbroken_; }
 
  private:
-  /// Directions barred: those that turn from `aside` by less than `half`.
+  /// Directions barred: unit vectors e square to the centre with e · aside > least.
   struct Bar {
     Vec3 aside;
-    Distance half;
+    double least = 0, rest = 0;  ///< |aside| times cosine and sine of the half-angle
+  };
+  struct Way {
+    double cosine, per_sine;
   };
 
   const Candidate& centre_;
   Vec3 side_;
-  Distance positive_, negative_;
+  Way positive_, negative_;
+  double per_sine_;
   Bar last_;
   std::size_t n_bars_ = 0;
   bool has_returned_ = false;
@@ -199,67 +219,51 @@ void Search::climb() {
     if (is_raised && is_proven()) return;
     if (height > (best_.distance.cosine - kDistanceStep) * size) return;
     // The next programme knows what is nearest here and at the optimum of this one.
-    const auto cut_at = [&](const Vec3& x) {
-      const std::size_t nearest = ring_.place(x).site;
-      cuts.add(foot(x, nearest), nearest);
-    };
-    cut_at(facet.outward / size);
-    if (is_raised) cut_at(best_.direction);
+    const Vec3 optimum = facet.outward / size;
+    const std::size_t nearest = ring_.place(optimum).site;
+    cuts.add(foot(optimum, nearest), nearest);
+    if (is_raised) cuts.add(foot(best_.direction, best_.nearest), best_.nearest);
   }
 }
 
-/// Whether all of its support is as near to the best direction as anything.
-bool Search::is_held() const {
+/// The points of its support that are nearest to the best direction, if nothing is nearer than these.
+std::optional<Search::Hold> Search::hold() const {
+  Hold hold;
   for (std::size_t k = 0; k < support_.n; ++k) {
     const Vec3 u = foot(best_.direction, support_.site[k]);
-    if (u == Vec3{} || std::abs(dot(u, best_.direction) - best_.distance.cosine) > kDistanceStep) return false;
+    if (u == Vec3{} || std::abs(dot(u, best_.direction) - best_.distance.cosine) > kDistanceStep) return std::nullopt;
+    hold[k] = u;
   }
-  return support_.n > 0;
-}
-
-/// Smallest cosine, over all directions to leave the best one, of the turn to the nearest point of one of its three
-/// sites; negative if they do not surround it.
-double Search::least_turn() const {
-  if (support_.n != 3 || !is_held()) return -1;
-  const Vec3& x = best_.direction;
-  std::array<Vec3, 3> aside;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 u = foot(x, support_.site[k]);
-    aside[k] = u - x * dot(u, x);
-  }
-  double widest = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 &a = aside[k], &b = aside[(k + 1) % 3];
-    if (!(dot(x, cross(a, b)) > 0)) return -1;
-    widest = std::min(widest, dot(a, b) / std::sqrt(squared_norm(a) * squared_norm(b)));
-  }
-  return std::sqrt(std::max(0.0, 0.5 * (1.0 + widest)));
+  if (support_.n == 0) return std::nullopt;
+  return hold;
 }
 
 /// Angles about the best direction within which its support proves that nothing is as good, Eqs. (16) and (17).
-Search::Local Search::local_proof() const {
-  if (support_.n == 2 && is_held()) return local_proof_by_two();
-  const double cosine = best_.distance.cosine, reach = least_turn() * best_.distance.sine;
+Search::Local Search::local_proof(const Hold& hold) const {
+  if (support_.n == 2) return local_proof_by_two(hold);
+  const double cosine = best_.distance.cosine, reach = least_turn(best_.direction, hold) * best_.distance.sine;
   if (!(reach > kSharp)) return {};
   const double size = std::sqrt(reach * reach + cosine * cosine);
   const Distance angle{reach / size, cosine / size};
   return {{}, angle, angle};
 }
 
-Search::Local Search::local_proof_by_two() const {
+Search::Local Search::local_proof_by_two(const Hold& hold) const {
   const std::size_t n = ring_.arcs().size();
   const double cosine = best_.distance.cosine;
   const bool are_arcs = support_.site[0] < n && support_.site[1] < n;
   if (!are_arcs && !(cosine * cosine < kFlattest)) return {};
   // Tangents of the angles, from above.
   double positive = are_arcs ? 1 : kSteepest, negative = positive;
-  const Vec3 side = cross(best_.direction, foot(best_.direction, support_.site[0]));
-  for (const std::size_t q : {support_.site[0], support_.site[1]}) {
+  const Vec3 side = cross(best_.direction, hold[0]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t q = support_.site[k];
     if (q >= n) continue;
-    const Vec3 u = foot(best_.direction, q);
-    for (const Vec3& end : {ring_.arcs()[q].start, ring_.arcs()[ring_.after(q)].start}) {
-      const double to_end = dot(u, end), along = norm(cross(u, end));
-      double& y = dot(end, side) > 0 ? positive : negative;
+    const bool runs_to_side = dot(cross(ring_.arcs()[q].normal, hold[k]), side) > 0;
+    for (const bool is_start : {true, false}) {
+      const Vec3& end = ring_.arcs()[is_start ? q : ring_.after(q)].start;
+      const double to_end = dot(hold[k], end), along = norm(cross(hold[k], end));
+      double& y = is_start == runs_to_side ? negative : positive;
       if (cosine * along < y * to_end) y = cosine * along / to_end;
     }
   }
@@ -271,30 +275,32 @@ Search::Local Search::local_proof_by_two() const {
 }
 
 /// Whether points of the ring prove that nothing farther away than `local` is as good, Eqs. (18) and (19).
-bool Search::is_proven_beyond(const Local& local) const {
+bool Search::is_proven_beyond(const Hold& hold, const Local& local) const {
   const auto arcs = ring_.arcs();
   const std::size_t n = arcs.size(), first = support_.site[0];
   Cover cover(best_, local.side, local.positive, local.negative);
-  const auto add_foot = [&](std::size_t k) {
-    if (std::find(support_.site.begin(), support_.site.begin() + support_.n, k) != support_.site.begin() + support_.n) {
-      cover.add(foot(best_.direction, k));
+  const auto add_foot = [&](std::size_t arc) {
+    for (std::size_t k = 0; k < support_.n; ++k) {
+      if (support_.site[k] == arc) cover.add(hold[k]);
     }
   };
   const std::size_t start = first < n ? first : first - n;
-  if (first >= n) cover.add(arcs[start].start);
+  if (first >= n) cover.add(hold[0]);
   add_foot(start);
   for (std::size_t k = ring_.after(start); k != start; k = ring_.after(k)) {
     cover.add(arcs[k].start);
     add_foot(k);
   }
   if (first < n) cover.add(arcs[start].start);
-  cover.add(foot(best_.direction, first));
+  cover.add(hold[0]);
   return cover.is_unbroken();
 }
 
 bool Search::is_proven() const {
-  const Local local = local_proof();
-  return std::min(local.positive.sine, local.negative.sine) > kSharp && is_proven_beyond(local) &&
+  const auto hold = this->hold();
+  if (!hold) return false;
+  const Local local = local_proof(*hold);
+  return std::min(local.positive.sine, local.negative.sine) > kSharp && is_proven_beyond(*hold, local) &&
          (ring_.is_seen(best_.direction) || !ring_.place(-best_.direction).is_inside);
 }
 

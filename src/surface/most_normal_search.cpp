@@ -24,7 +24,10 @@ constexpr double kZone = 1e-9;
 
 }  // namespace
 
-Search::Search(const Ring& ring) : ring_(ring), best_{ring.most_visible(), ring.place(ring.most_visible()).distance} {}
+Search::Search(const Ring& ring) : ring_(ring) {
+  const Place place = ring.place(ring.most_visible());
+  best_ = {ring.most_visible(), place.distance, place.site};
+}
 
 Site Search::site(std::size_t q) const {
   const std::size_t n = ring_.arcs().size();
@@ -44,7 +47,7 @@ bool Search::is_in_zone(const Vec3& x, std::size_t q) const {
 bool Search::raise(const Vec3& x) {
   const Place place = ring_.place(x);
   if (!place.is_inside || !is_less(best_.distance, place.distance)) return false;
-  best_ = {x, place.distance};
+  best_ = {x, place.distance, place.site};
   return true;
 }
 
@@ -85,7 +88,9 @@ void Search::visit_candidates(std::size_t i, std::size_t j, Visit&& visit) const
 
 /// Whether the best direction is a lone maximum, and nothing far from it is better or as good.
 bool Search::is_alone() {
-  const Local local = local_proof();
+  const auto held = hold();
+  if (!held) return false;
+  const Local local = local_proof(*held);
   const Distance& covered = local.positive.sine < local.negative.sine ? local.positive : local.negative;
   if (!(covered.sine > 2 * kNear)) return false;
   return visit_corners(moved(best_.distance, -kTie), kDistanceStep, [&](const Vec3& x, std::size_t, std::size_t) {
@@ -131,7 +136,7 @@ Candidate Search::nearest_to_most_visible() {
   const auto choose = [&](const Vec3& x) {
     if (!ring_.keeps_clear(x, level, in_the_way_)) return;
     const Place place = ring_.place(x);
-    const Candidate candidate{x, place.distance};
+    const Candidate candidate{x, place.distance, place.site};
     if (place.is_inside && !is_less(place.distance, enough) && is_preferred(candidate, chosen)) chosen = candidate;
   };
   choose(ring_.most_visible());

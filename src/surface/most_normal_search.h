@@ -17,6 +17,7 @@ inline constexpr double kSharp = 1e-6;
 struct Candidate {
   Vec3 direction;
   Distance distance;
+  std::size_t nearest = 0;  ///< site, numbered as in `Place`
 };
 
 /// Level above the best distance at which it is proved that nothing is better [rad]: more than the rounding of
@@ -60,17 +61,17 @@ class Search {
   bool raise(const Vec3& x);
   bool raise_from(const Support& support);
   bool raise_from_any(const std::array<std::size_t, 3>& sites);
-  bool is_held() const;
-  double least_turn() const;
+  using Hold = std::array<Vec3, 3>;
+  std::optional<Hold> hold() const;
   /// Angles about the best direction within which nothing is as good, to the side given and to the other; sine 0 if
   /// that is not known.
   struct Local {
     Vec3 side;
     Distance positive, negative;
   };
-  Local local_proof() const;
-  Local local_proof_by_two() const;
-  bool is_proven_beyond(const Local& local) const;
+  Local local_proof(const Hold& hold) const;
+  Local local_proof_by_two(const Hold& hold) const;
+  bool is_proven_beyond(const Hold& hold, const Local& local) const;
 
   template <class Visit>
   bool visit_corners(const Distance& distance, double slack, Visit&& visit);
