@@ -115,18 +115,21 @@ class Mover {
 
   /// The direction itself where nothing sees all of its neighbours' directions.
   Vec3 most_visible(const Vec3& own, std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions) {
-    room_.resize(neighbours.size());
+    if (room_.size() < neighbours.size()) room_.resize(neighbours.size());
+    const std::span<Vec3> round(room_.data(), neighbours.size());
     Vec3 sum;
-    for (std::size_t k = 0; k < neighbours.size(); ++k) {
-      room_[k] = directions[neighbours[k]];
-      sum += room_[k];
+    for (std::size_t k = 0; k < round.size(); ++k) {
+      round[k] = directions[neighbours[k]];
+      sum += round[k];
     }
     if (sum != Vec3{}) {
       const Vec3 middle = unit_vector(sum);
-      if (1.0 - 0.5 * squared_chord_to_worst(middle, room_) > options_.trigger) return middle;
+      double least_cosine = 1.0;
+      for (const Vec3& direction : round) least_cosine = std::min(least_cosine, dot(direction, middle));
+      if (least_cosine > options_.trigger) return middle;
     }
     const Vec3 best =
-        options_.search == SearchMethod::Direct ? smallest_cap(room_).centre : iterative_normal(room_).direction;
+        options_.search == SearchMethod::Direct ? smallest_cap(round).centre : iterative_normal(round).direction;
     return best != Vec3{} ? best : own;
   }
 
