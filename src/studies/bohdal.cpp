@@ -4,11 +4,13 @@
 #include <optional>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
 #include "nearwall/surface/fitted_normals.h"
 #include "nearwall/surface/minimum_norm_network.h"
 #include "studies/height_field.h"
 #include "studies/interpolants.h"
+#include "studies/stopwatch.h"
 #include "studies/test_functions.h"
 
 namespace nearwall::studies {
@@ -192,6 +194,21 @@ BohdalErrors bohdal_errors(int function, std::size_t n_points, std::uint64_t see
   const auto [clough, powell] = judge.errors(true_gradients(field));
   errors.clough_tocher_of_truth = clough, errors.powell_sabin_of_truth = powell;
   return errors;
+}
+
+std::array<double, kBohdalMethods.size()> bohdal_seconds(std::size_t n_points, std::uint64_t seed) {
+  constexpr int kRepetitions = 5;
+  const ThreadLimit one_thread(1);
+  const HeightField field = height_field(1, n_points, seed);
+  const Graph graph(field, field.triangles);
+  std::array<double, kBohdalMethods.size()> seconds{};
+  for (std::size_t m = 0; m < kBohdalMethods.size(); ++m) {
+    std::vector<double> all(kRepetitions);
+    double unused = 0;
+    for (double& s : all) s = seconds_of([&] { estimated(kBohdalMethods[m], BohdalRemoval::None, graph, unused); });
+    seconds[m] = median(all);
+  }
+  return seconds;
 }
 
 }  // namespace nearwall::studies

@@ -79,6 +79,7 @@ Table summary(const std::vector<Errors>& sets, const Errors& all) {
       .columns = {"normals", "best set", "worst set", "Clough-Tocher", "Powell-Sabin", "no answer, %"}};
   for (std::size_t m = 0; m < kMethods; ++m) {
     std::vector<double> of_sets;
+    of_sets.reserve(sets.size());
     for (const Errors& errors : sets) of_sets.push_back(geometric_mean(errors, normals_of(m)));
     const auto [best, worst] = std::minmax_element(of_sets.begin(), of_sets.end());
     double fallbacks = 0;
@@ -176,6 +177,19 @@ Table rank_table(const Errors& all) {
   return table;
 }
 
+Table time_table(std::uint64_t seed) {
+  constexpr std::array<std::size_t, 2> kTimedSizes = {4900, 8100};  // of the paper's table 1
+  constexpr double kMilli = 1e3;
+  Table table{.title = "Time for all normals, one thread [ms]",
+              .row_title = "method",
+              .columns = {"4900 points", "8100 points"}};
+  const auto small = bohdal_seconds(kTimedSizes[0], seed), large = bohdal_seconds(kTimedSizes[1], seed);
+  for (std::size_t m = 0; m < kMethods; ++m) {
+    table.rows.push_back({name_of(m), {kMilli * small[m], kMilli * large[m]}});
+  }
+  return table;
+}
+
 Picture size_plot(const Errors& all) {
   LinePlot plot{.title = "Error of the normals, geometric mean over the functions",
                 .x_label = "points",
@@ -217,11 +231,12 @@ Picture removal_plot(const Errors& all) {
   for (const std::size_t m : methods_of_paper()) {
     if (surface::weight_of(kBohdalMethods[m].method)) weights.push_back(m);
   }
+  plot.groups.reserve(weights.size());
   for (const std::size_t m : weights) plot.groups.push_back(name_of(m));
   for (std::size_t r = 0; r < kBohdalRemovals.size(); ++r) {
-    std::vector<double> bars;
-    for (const std::size_t m : weights)
-      bars.push_back(geometric_mean(all, normals_of(m, static_cast<BohdalRemoval>(r))));
+    std::vector<double> bars(weights.size());
+    std::transform(weights.begin(), weights.end(), bars.begin(),
+                   [&](std::size_t m) { return geometric_mean(all, normals_of(m, static_cast<BohdalRemoval>(r))); });
     plot.series.emplace_back(std::string(kBohdalRemovals[r]), bars);
   }
   return {"study-bohdal-removal.svg", plot.title, to_svg(plot)};
@@ -252,7 +267,8 @@ Report study_bohdal(const BohdalOptions& options, ProgressSink& progress) {
                    size_table(all),
                    mesh_table("All meshes: RMSE of the normals [degrees]", all, normals),
                    mesh_table("All meshes: RMSE of the Clough-Tocher interpolant", all, clough_of),
-                   mesh_table("All meshes: RMSE of the Powell-Sabin interpolant", all, powell_of)};
+                   mesh_table("All meshes: RMSE of the Powell-Sabin interpolant", all, powell_of),
+                   time_table(options.seed)};
   report.pictures = {
       size_plot(all),
       function_plot("study-bohdal-normals.svg", "Error of the normals by function", "RMSE [degrees]", all, normals),

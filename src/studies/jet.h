@@ -10,11 +10,6 @@ struct Jet {
   double dx = 0;
   double dy = 0;
 
-  /// outer(inner) by the chain rule, given the outer function's value and derivative.
-  friend Jet chained(double value, double derivative, const Jet& a) {
-    return {value, derivative * a.dx, derivative * a.dy};
-  }
-
   friend Jet operator+(const Jet& a, const Jet& b) { return {a.value + b.value, a.dx + b.dx, a.dy + b.dy}; }
   friend Jet operator-(const Jet& a, const Jet& b) { return {a.value - b.value, a.dx - b.dx, a.dy - b.dy}; }
   friend Jet operator*(const Jet& a, const Jet& b) {
@@ -24,6 +19,11 @@ struct Jet {
   friend Jet operator-(const Jet& a, double b) { return {a.value - b, a.dx, a.dy}; }
   friend Jet operator*(double s, const Jet& a) { return {s * a.value, s * a.dx, s * a.dy}; }
 };
+
+/// outer(a) by the chain rule, given the outer function's value and derivative at a.
+inline Jet chained(double outer, double derivative, const Jet& a) {
+  return {outer, derivative * a.dx, derivative * a.dy};
+}
 
 inline Jet square(const Jet& a) { return a * a; }
 inline Jet inverse(const Jet& a) { return chained(1.0 / a.value, -1.0 / (a.value * a.value), a); }

@@ -40,13 +40,13 @@ std::string line(double x1, double y1, double x2, double y2, std::string_view st
 
 /// A marker of one of six forms, so that lines can be told apart without their colours.
 std::string marker(std::size_t form, double x, double y, std::string_view fill) {
-  constexpr double r = 3.5;
+  constexpr double kRadius = 3.5;
   const auto path = [&](const std::string& d) { return fmt::format("<path d='{}' fill='{}'/>", d, fill); };
   switch (form % 6) {
     case 0:
-      return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}'/>", x, y, r, fill);
+      return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}'/>", x, y, kRadius, fill);
     case 1:
-      return path(fmt::format("M{:.1f} {:.1f}h7v7h-7z", x - r, y - r));
+      return path(fmt::format("M{:.1f} {:.1f}h7v7h-7z", x - kRadius, y - kRadius));
     case 2:
       return path(fmt::format("M{:.1f} {:.1f}l4.5 8h-9z", x, y - 4.5));
     case 3:
@@ -54,8 +54,8 @@ std::string marker(std::size_t form, double x, double y, std::string_view fill) 
     case 4:
       return path(fmt::format("M{:.1f} {:.1f}l4.5 -8h-9z", x, y + 4.5));
     default:
-      return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>", x, y, r,
-                         fill);
+      return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>", x, y,
+                         kRadius, fill);
   }
 }
 

@@ -18,7 +18,7 @@ void append(mesh::SurfaceMesh& all, const mesh::SurfaceMesh& body, const std::st
     all.faces.push_back(moved);
   }
   for (const PatchId patch : body.face_patch) all.face_patch.push_back(PatchId(patch.index() + first_patch));
-  for (const std::string& patch : body.patch_names) all.patch_names.push_back(name + "-" + patch);
+  for (const std::string& patch : body.patch_names) all.patch_names.push_back(fmt::format("{}-{}", name, patch));
 }
 
 /// One body, and behind it in x copies of another one.

@@ -131,11 +131,11 @@ TEST(RandomPlaces, AreUniformInTheHull) {
     const double of_triangle = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
     area += of_triangle, moment += of_triangle * (a.x + b.x + c.x) / 3;
   }
-  constexpr std::size_t n = 20000;
+  constexpr std::size_t kPlaces = 20000;
   double sum = 0;
-  for (const Place& place : random_places(field, n, 1)) sum += place.point.x;
+  for (const Place& place : random_places(field, kPlaces, 1)) sum += place.point.x;
   // The coordinate of a place has a standard deviation of about sqrt(1 / 12).
-  EXPECT_NEAR(sum / n, moment / area, 5 * std::sqrt(1.0 / 12 / n));
+  EXPECT_NEAR(sum / kPlaces, moment / area, 5 * std::sqrt(1.0 / 12 / kPlaces));
 }
 
 }  // namespace

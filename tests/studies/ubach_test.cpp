@@ -23,16 +23,16 @@ TEST(RandomStream, DiffersBySeedAndStreamOnly) {
 
 TEST(RandomStream, IsUniform) {
   RandomStream random(1, 1);
-  constexpr int n = 100000;
+  constexpr int kNumbers = 100000;
   double sum = 0, squares = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < kNumbers; ++i) {
     const double u = random.uniform();
     ASSERT_TRUE(u >= 0 && u < 1);
     sum += u, squares += u * u;
   }
   // Five standard deviations of the mean: sqrt(1 / 12 / n) and sqrt(4 / 45 / n).
-  EXPECT_NEAR(sum / n, 1.0 / 2, 5 * std::sqrt(1.0 / 12 / n));
-  EXPECT_NEAR(squares / n, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / n));
+  EXPECT_NEAR(sum / kNumbers, 1.0 / 2, 5 * std::sqrt(1.0 / 12 / kNumbers));
+  EXPECT_NEAR(squares / kNumbers, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / kNumbers));
 }
 
 /// RMSE in degrees at n_p = 6 from an independent computation, in the order of kUbachWeights.
