@@ -22,6 +22,9 @@ constexpr double kEquallyNear = 1e-7;
 /// How far out of its zone a site may still hold a corner: corners on the border must not fall between two zones.
 constexpr double kZone = 1e-9;
 
+/// A computed cosine above another by this much belongs to a smaller angle.
+constexpr double kCosineRounding = 0x1p-50;
+
 }  // namespace
 
 Search::Search(const Ring& ring) : ring_(ring) {
@@ -51,17 +54,41 @@ bool Search::raise(const Vec3& x) {
   return true;
 }
 
-/// Calls `visit(x, i, j)` for the corners of the set of directions at least that far, i > j being the sites whose level
-/// circles meet at x, until it returns false. \returns whether it never did
+/// Whether all of a site's level circle, as far as it is in the site's zone, is nearer than `clear` to one same vertex.
+bool Search::is_barred(std::size_t q, const Level& level, const Level& clear) const {
+  const std::size_t n = ring_.arcs().size();
+  const Arc& arc = ring_.arcs()[q < n ? q : q - n];
+  const Arc& other = ring_.arcs()[q < n ? ring_.after(q) : ring_.before(q - n)];
+  // Ends of the piece of the circle, and its directions there.
+  const Vec3 begin = (q < n ? arc.start : other.normal) * (q < n ? level.cosine : level.sine) +
+                     (q < n ? arc.normal : arc.start) * (q < n ? level.sine : level.cosine);
+  const Vec3 end = (q < n ? other.start : arc.normal) * (q < n ? level.cosine : level.sine) +
+                   (q < n ? arc.normal : arc.start) * (q < n ? level.sine : level.cosine);
+  const double turn = q < n ? 0 : dot(other.normal, arc.normal);
+  const Vec3 ahead = q < n ? arc.ahead : arc.normal - other.normal * turn;
+  const Vec3 beyond = q < n ? arc.beyond : arc.normal * turn - other.normal;
+  const double least = clear.cosine + kCosineRounding;
+  return std::any_of(ring_.arcs().begin(), ring_.arcs().end(), [&](const Arc& by) {
+    const Vec3& v = by.start;
+    return dot(begin, v) > least && dot(end, v) > least && !(dot(ahead, v) < 0 && dot(beyond, v) > 0);
+  });
+}
+
+/// Calls `visit(x, i, j)` for the corners of the set of directions at least that far, i and j being the sites whose
+/// level circles meet at x, until it returns false. \returns whether it never did
 /// \param slack  what the other sites may be nearer
 template <class Visit>
 bool Search::visit_corners(const Distance& distance, double slack, Visit&& visit) {
   const Level level(distance), clear(moved(distance, -slack));
-  for (std::size_t later = 0; later < n_sites(); ++later) {
-    const std::size_t i = number(later);
+  Scratch<std::size_t, 48> sites(n_sites());
+  for (std::size_t i = 0; i < n_sites(); ++i) {
+    if (!is_barred(number(i), level, clear)) sites.add(number(i));
+  }
+  for (std::size_t later = 0; later < sites.all().size(); ++later) {
+    const std::size_t i = sites.all()[later];
     const Site a = site(i);
     for (std::size_t earlier = 0; earlier < later; ++earlier) {
-      const std::size_t j = number(earlier);
+      const std::size_t j = sites.all()[earlier];
       for (const Vec3& x : at_level(a, site(j), level).all()) {
         if (!is_in_zone(x, i) || !is_in_zone(x, j) || !ring_.keeps_clear(x, clear, in_the_way_)) continue;
         if (!visit(x, i, j)) return false;

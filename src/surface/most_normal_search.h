@@ -73,6 +73,7 @@ class Search {
   Local local_proof_by_two(const Hold& hold) const;
   bool is_proven_beyond(const Hold& hold, const Local& local) const;
 
+  bool is_barred(std::size_t q, const Level& level, const Level& clear) const;
   template <class Visit>
   bool visit_corners(const Distance& distance, double slack, Visit&& visit);
   template <class Visit>
