@@ -216,7 +216,7 @@ void Search::climb() {
     // No point of the ring is within a right angle of a facet that looks away from it: not the case for this search.
     if (height < 0) return;
     const bool is_raised = raise_from_any({cuts.site(a), cuts.site(b), cuts.site(c)});
-    if (is_raised && is_proven()) return;
+    if (is_raised && find_top()) return;
     if (height > (best_.distance.cosine - kDistanceStep) * size) return;
     // The next programme knows what is nearest here and at the optimum of this one.
     const Vec3 optimum = facet.outward / size;
@@ -226,21 +226,22 @@ void Search::climb() {
   }
 }
 
-/// The points of its support that are nearest to the best direction, if nothing is nearer than these.
-std::optional<Search::Hold> Search::hold() const {
+/// Looks whether the support holds the best direction: whether nothing is nearer than its points, and nothing about is
+/// as far from them.
+bool Search::find_top() {
   Hold hold;
   for (std::size_t k = 0; k < support_.n; ++k) {
     const Vec3 u = foot(best_.direction, support_.site[k]);
-    if (u == Vec3{} || std::abs(dot(u, best_.direction) - best_.distance.cosine) > kDistanceStep) return std::nullopt;
+    if (u == Vec3{} || std::abs(dot(u, best_.direction) - best_.distance.cosine) > kDistanceStep) return false;
     hold[k] = u;
   }
-  if (support_.n == 0) return std::nullopt;
-  return hold;
+  const Local local = support_.n == 2 ? local_proof_by_two(hold) : local_proof_by_three(hold);
+  if (std::min(local.positive.sine, local.negative.sine) > kSharp) top_ = {hold, local};
+  return top_.has_value();
 }
 
-/// Angles about the best direction within which its support proves that nothing is as good, Eqs. (16) and (17).
-Search::Local Search::local_proof(const Hold& hold) const {
-  if (support_.n == 2) return local_proof_by_two(hold);
+/// Angles about the best direction within which its support proves that nothing is as good, Eq. (16).
+Search::Local Search::local_proof_by_three(const Hold& hold) const {
   const double cosine = best_.distance.cosine, reach = least_turn(best_.direction, hold) * best_.distance.sine;
   if (!(reach > kSharp)) return {};
   const double size = std::sqrt(reach * reach + cosine * cosine);
@@ -248,6 +249,7 @@ Search::Local Search::local_proof(const Hold& hold) const {
   return {{}, angle, angle};
 }
 
+/// The same, Eq. (17).
 Search::Local Search::local_proof_by_two(const Hold& hold) const {
   const std::size_t n = ring_.arcs().size();
   const double cosine = best_.distance.cosine;
@@ -274,33 +276,30 @@ Search::Local Search::local_proof_by_two(const Hold& hold) const {
   return {side, angle(positive), angle(negative)};
 }
 
-/// Whether points of the ring prove that nothing farther away than `local` is as good, Eqs. (18) and (19).
-bool Search::is_proven_beyond(const Hold& hold, const Local& local) const {
+/// Whether points of the ring prove that nothing farther away than the local proof is as good, Eqs. (18) and (19).
+bool Search::is_proven_beyond(const Top& top) const {
   const auto arcs = ring_.arcs();
   const std::size_t n = arcs.size(), first = support_.site[0];
-  Cover cover(best_, local.side, local.positive, local.negative);
+  Cover cover(best_, top.local.side, top.local.positive, top.local.negative);
   const auto add_foot = [&](std::size_t arc) {
     for (std::size_t k = 0; k < support_.n; ++k) {
-      if (support_.site[k] == arc) cover.add(hold[k]);
+      if (support_.site[k] == arc) cover.add(top.hold[k]);
     }
   };
   const std::size_t start = first < n ? first : first - n;
-  if (first >= n) cover.add(hold[0]);
+  if (first >= n) cover.add(top.hold[0]);
   add_foot(start);
   for (std::size_t k = ring_.after(start); k != start; k = ring_.after(k)) {
     cover.add(arcs[k].start);
     add_foot(k);
   }
   if (first < n) cover.add(arcs[start].start);
-  cover.add(hold[0]);
+  cover.add(top.hold[0]);
   return cover.is_unbroken();
 }
 
 bool Search::is_proven() const {
-  const auto hold = this->hold();
-  if (!hold) return false;
-  const Local local = local_proof(*hold);
-  return std::min(local.positive.sine, local.negative.sine) > kSharp && is_proven_beyond(*hold, local) &&
+  return top_ && is_proven_beyond(*top_) &&
          (ring_.is_seen(best_.direction) || !ring_.place(-best_.direction).is_inside);
 }
 

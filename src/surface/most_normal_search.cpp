@@ -51,6 +51,7 @@ bool Search::raise(const Vec3& x) {
   const Place place = ring_.place(x);
   if (!place.is_inside || !is_less(best_.distance, place.distance)) return false;
   best_ = {x, place.distance, place.site};
+  top_.reset();
   return true;
 }
 
@@ -115,9 +116,8 @@ void Search::visit_candidates(std::size_t i, std::size_t j, Visit&& visit) const
 
 /// Whether the best direction is a lone maximum, and nothing far from it is better or as good.
 bool Search::is_alone() {
-  const auto held = hold();
-  if (!held) return false;
-  const Local local = local_proof(*held);
+  if (!top_) return false;
+  const Local& local = top_->local;
   const Distance& covered = local.positive.sine < local.negative.sine ? local.positive : local.negative;
   if (!(covered.sine > 2 * kNear)) return false;
   return visit_corners(moved(best_.distance, -kTie), kDistanceStep, [&](const Vec3& x, std::size_t, std::size_t) {

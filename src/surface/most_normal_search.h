@@ -61,17 +61,22 @@ class Search {
   bool raise(const Vec3& x);
   bool raise_from(const Support& support);
   bool raise_from_any(const std::array<std::size_t, 3>& sites);
+  /// Points of the support that are nearest to the best direction.
   using Hold = std::array<Vec3, 3>;
-  std::optional<Hold> hold() const;
   /// Angles about the best direction within which nothing is as good, to the side given and to the other; sine 0 if
   /// that is not known.
   struct Local {
     Vec3 side;
     Distance positive, negative;
   };
-  Local local_proof(const Hold& hold) const;
+  struct Top {
+    Hold hold;
+    Local local;
+  };
+  bool find_top();
+  Local local_proof_by_three(const Hold& hold) const;
   Local local_proof_by_two(const Hold& hold) const;
-  bool is_proven_beyond(const Hold& hold, const Local& local) const;
+  bool is_proven_beyond(const Top& top) const;
 
   bool is_barred(std::size_t q, const Level& level, const Level& clear) const;
   template <class Visit>
@@ -85,7 +90,8 @@ class Search {
 
   const Ring& ring_;
   Candidate best_;
-  Support support_;  ///< what holds the best direction, as far as known
+  Support support_;         ///< what the best direction was computed from
+  std::optional<Top> top_;  ///< set if it is known to hold it
   std::size_t in_the_way_ = 0;
 };
 
