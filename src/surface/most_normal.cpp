@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nearwall/geometry/arctangent.h"
 #include "nearwall/surface/normals.h"
 #include "surface/most_normal_ring.h"
 #include "surface/most_normal_search.h"
@@ -21,7 +22,7 @@ std::optional<NormalNormal> opposite_of_cap(const Ring& ring) {
   Scratch<Vec3> starts(ring.arcs().size());
   for (const Arc& arc : ring.arcs()) starts.add(arc.start);
   const Cap cap = smallest_cap(starts.all());
-  const double radius = 2.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(cap.squared_chord)));
+  const double radius = geometry::angle_of_chord(cap.squared_chord);
   if (cap.centre == Vec3{} || !(radius < kRightAngle - kSurelyObtuse)) return std::nullopt;
   const Vec3 x = -cap.centre;
   // The vertex nearest to x is one that the cap rests on, and the fluid is on the side that its two faces look to.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <span>
 
 #include "nearwall/core/vec3.h"
+#include "nearwall/geometry/arctangent.h"
 #include "nearwall/surface/normals.h"
 #include "surface/scratch.h"
 
@@ -15,7 +15,7 @@ struct Distance {
   double sine = 0;
   double cosine = 1;
 
-  double angle() const { return std::atan2(sine, cosine); }
+  double angle() const { return geometry::angle_from(sine, cosine); }
 };
 inline bool is_less(const Distance& a, const Distance& b) { return a.sine * b.cosine < a.cosine * b.sine; }
 
