@@ -180,9 +180,8 @@ Table rank_table(const Errors& all) {
 Table time_table(std::uint64_t seed) {
   constexpr std::array<std::size_t, 2> kTimedSizes = {4900, 8100};  // of the paper's table 1
   constexpr double kMilli = 1e3;
-  Table table{.title = "Time for all normals, one thread [ms]",
-              .row_title = "method",
-              .columns = {"4900 points", "8100 points"}};
+  Table table{
+      .title = "Processor time for all normals [ms]", .row_title = "method", .columns = {"4900 points", "8100 points"}};
   const auto small = bohdal_seconds(kTimedSizes[0], seed), large = bohdal_seconds(kTimedSizes[1], seed);
   for (std::size_t m = 0; m < kMethods; ++m) {
     table.rows.push_back({name_of(m), {kMilli * small[m], kMilli * large[m]}});

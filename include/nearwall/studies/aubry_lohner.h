@@ -17,7 +17,7 @@ struct AubryLohnerOptions {
 /// What five sweeps of one kind have done to the normals of a body.
 struct SweepResult {
   std::string kind;
-  double seconds = 0;                ///< median of five sweeps' times, one thread
+  double seconds = 0;                ///< median processor time of the five sweeps, one thread
   double direct_percent = 0;         ///< share of points that went past the trigger, over all sweeps
   double mean_iterations = 0;        ///< of the iterative search, for each point and sweep; NaN for others
   double not_converged_percent = 0;  ///< share of its searches that stopped short of their tolerance; NaN for others

@@ -76,8 +76,8 @@ struct BohdalErrors {
 /// \throws InputError if an argument is out of range    Cost: O(n_points log n_points)
 BohdalErrors bohdal_errors(int function, std::size_t n_points, std::uint64_t seed);
 
-/// Time for the normals at all points of a mesh of f1, without triangulation and adjacency: median of a few repetitions
-/// on one thread [seconds], for each method.
+/// Processor time for the normals at all points of a mesh of f1, without triangulation and adjacency: median of a few
+/// repetitions on one thread [seconds], for each method.
 std::array<double, kBohdalMethods.size()> bohdal_seconds(std::size_t n_points, std::uint64_t seed);
 
 struct BohdalOptions {
