@@ -125,7 +125,7 @@ void add_ubach(CommandLine& line, CLI::App& parent) {
       [](const StudyArguments& a, CommandContext& context) { return studies::study_ubach(a.ubach, context.console); });
   app.add_option("--samples", arguments->ubach.samples, "random surfaces of each of the 49 cells")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
       ->capture_default_str();
   app.add_option("--seed", arguments->ubach.seed, "of the random numbers")->type_name("N")->capture_default_str();
 }

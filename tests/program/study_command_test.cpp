@@ -57,7 +57,7 @@ TEST(StudyCommand, RefusesNoSamples) {
 TEST(StudyCommand, ExitsWith5IfTheFolderCannotBeMade) {
   Workplace place;
   place.write("file", "");
-  const Outcome outcome = place.run({"study", "ubach", "--samples", "1000000000", "-o", "file/below"});
+  const Outcome outcome = place.run({"study", "ubach", "--samples", "100000000", "-o", "file/below"});
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_THAT(outcome.err, HasSubstr("file/below"));
 }
