@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -22,6 +24,18 @@ TEST(Sum3, IsTheSameInEveryOrder) {
       EXPECT_EQ(sum3(v[0], v[1], v[2]), sum);
     } while (std::next_permutation(v.begin(), v.end()));
   }
+}
+
+TEST(Sum3, KeepsWhatIsNotANumber) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+  for (const double a : {0.0, 1.0, -kInfinity, kInfinity}) {
+    for (const double b : {0.0, -2.0, kInfinity}) {
+      EXPECT_TRUE(std::isnan(sum3(kNan, a, b)));
+      EXPECT_TRUE(std::isnan(sum3(a, kNan, b)));
+      EXPECT_TRUE(std::isnan(sum3(a, b, kNan)));
+    }
+  }
+  static_assert(sum3(3, -1, 2) == 4);
 }
 
 TEST(Normalized, HasLengthOneAtAnyScale) {

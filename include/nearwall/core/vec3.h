@@ -3,6 +3,11 @@
 #include <array>
 #include <cmath>
 #include <compare>
+#include <type_traits>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace nearwall {
 
@@ -46,14 +51,36 @@ class Vec3 {
   std::array<double, 3> c_{};
 };
 
-/// Sum of three doubles that is the same in whatever order they come: the smallest and the largest first.
+namespace detail {
+
+/// a < b ? a : b, without a branch: which of two sums is larger is anybody's guess, and compilers jump on it otherwise.
+constexpr double smaller(double a, double b) {
+#if defined(__SSE2__)
+  if (!std::is_constant_evaluated()) return _mm_cvtsd_f64(_mm_min_sd(_mm_set_sd(a), _mm_set_sd(b)));
+#endif
+  return a < b ? a : b;
+}
+
+/// a > b ? a : b, likewise.
+constexpr double larger(double a, double b) {
+#if defined(__SSE2__)
+  if (!std::is_constant_evaluated()) return _mm_cvtsd_f64(_mm_max_sd(_mm_set_sd(a), _mm_set_sd(b)));
+#endif
+  return a > b ? a : b;
+}
+
+}  // namespace detail
+
+/// Sum of three doubles that is the same in whatever order they come: the smallest and the largest first. Not a number
+/// if one of them is not.
 constexpr double sum3(double a, double b, double c) {
-  const double low_ab = a < b ? a : b;
-  const double high_ab = a < b ? b : a;
-  const double low = low_ab < c ? low_ab : c;
-  const double high = high_ab < c ? c : high_ab;
-  const double rest = high_ab < c ? high_ab : c;
-  const double middle = low_ab < rest ? rest : low_ab;
+  // Where a comparison has no answer the second one counts: one of each two results keeps what is not a number.
+  const double low_ab = detail::smaller(a, b);
+  const double high_ab = detail::larger(b, a);
+  const double low = detail::smaller(low_ab, c);
+  const double high = detail::larger(c, high_ab);
+  const double rest = detail::smaller(high_ab, c);
+  const double middle = detail::larger(rest, low_ab);
   return (low + high) + middle;
 }
 
