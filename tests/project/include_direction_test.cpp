@@ -111,7 +111,8 @@ TEST(IncludeDirection, PublicHeadersIncludeTheStandardLibraryAndNearwallOnly) {
     const bool is_standard = include.what.find_first_of("/.") == std::string::npos;
     // The compiler's own header for the processor's instructions.
     const bool is_of_compiler = include.what == "emmintrin.h";
-    EXPECT_TRUE(is_standard || is_of_compiler || include.what.starts_with("nearwall/")) << include.file << " includes " << include.what;
+    EXPECT_TRUE(is_standard || is_of_compiler || include.what.starts_with("nearwall/"))
+        << include.file << " includes " << include.what;
   }
 }
 
