@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "surface/fitted_normals_local.h"
+#include "surface/power_of_two.h"
 
 namespace nearwall::surface {
 
@@ -36,26 +36,16 @@ Offsets offsets(const Vec3& point, std::span<const Vec3> neighbours) {
   return result;
 }
 
-/// Power of two that is larger than the number, by its exponent; 0 has none.
-std::optional<int> exponent_above(double number) {
-  if (!(number > 0) || !std::isfinite(number)) return std::nullopt;
-  int exponent = 0;
-  std::frexp(number, &exponent);
-  return exponent;
-}
-
-/// Scales by a power of two so that the largest component is in [1/2, 1): squares below cannot leave the range.
+/// Scales by a power of two so that the largest component is near 1: squares below cannot leave the range.
 bool scale_to_unit(Offsets& offsets) {
   double largest = 0;
   for (std::size_t i = 0; i < offsets.n; ++i) {
     if (!is_finite(offsets.to[i])) return false;
     largest = std::max(largest, max_norm(offsets.to[i]));
   }
-  const auto exponent = exponent_above(largest);
-  if (!exponent) return false;
-  const double half = std::ldexp(1.0, -*exponent / 2), rest = std::ldexp(1.0, -*exponent - (-*exponent / 2));
-  for (std::size_t i = 0; i < offsets.n; ++i) (offsets.to[i] *= half) *= rest;
-  return true;
+  const double scale = 1 / power_above(largest);
+  for (std::size_t i = 0; i < offsets.n; ++i) offsets.to[i] *= scale;
+  return largest > 0;
 }
 
 std::optional<LocalHeights> local_heights(const Vec3& point, const Vec3& axis, std::span<const Vec3> neighbours) {
@@ -78,9 +68,7 @@ std::optional<LocalHeights> local_heights(const Vec3& point, const Vec3& axis, s
     local.x[i] = dot(d, local.frame.t1), local.y[i] = dot(d, local.frame.t2), local.z[i] = dot(d, n);
   }
   // The heights may be much larger than what the plane sees of the neighbours.
-  const auto exponent = exponent_above(std::max(local.x.abs().maxCoeff(), local.y.abs().maxCoeff()));
-  if (!exponent) return std::nullopt;
-  const double scale = std::ldexp(1.0, -*exponent);
+  const double scale = 1 / power_above(std::max(local.x.abs().maxCoeff(), local.y.abs().maxCoeff()));
   local.x *= scale, local.y *= scale, local.z *= scale;
   return local;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "nearwall/surface/fitted_normals.h"
-#include "surface/fitted_normals_frame.h"
+#include "surface/tangent_frame.h"
 
 namespace nearwall::surface {
 

@@ -5,13 +5,13 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
-#include "surface/fitted_normals_frame.h"
+#include "surface/power_of_two.h"
+#include "surface/tangent_frame.h"
 
 namespace nearwall::surface {
 
@@ -48,9 +48,7 @@ double unit_length(const mesh::SurfaceMesh& surface) {
     const Vec3 &pa = surface.points[a], &pb = surface.points[b], &pc = surface.points[c];
     largest = std::max({largest, max_norm(pb - pa), max_norm(pc - pb), max_norm(pa - pc)});
   }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return std::ldexp(1.0, exponent);
+  return power_above(largest);
 }
 
 /// The quadratic energy of the network in the slopes at all vertices.

@@ -1,8 +1,9 @@
-#include <cmath>
+#include <algorithm>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/surface/normals.h"
 #include "surface/corner_weight.h"
+#include "surface/power_of_two.h"
 
 namespace nearwall::surface {
 
@@ -38,9 +39,7 @@ double scale_of(const Vec3& apex, std::span<const Vec3> ring) {
     if (!is_finite(edge)) throw InputError("weighted_normal: expected finite points, found one that is not");
     longest = std::max(longest, max_norm(edge));
   }
-  int exponent = 0;
-  std::frexp(longest, &exponent);
-  return std::ldexp(1.0, -exponent);
+  return 1 / power_above(longest);
 }
 
 }  // namespace
