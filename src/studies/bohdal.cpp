@@ -23,25 +23,6 @@ constexpr std::size_t kPlaces = 2500;  // where interpolants are judged
 const double kWidestCorner = geometry::to_radians(178);
 const Vec3 kUp = {0, 0, 1};
 
-std::optional<surface::Fit> fit_of(surface::NormalMethod method) {
-  switch (method) {
-    case surface::NormalMethod::LinearFit:
-      return surface::Fit::LinearLeastSquares;
-    case surface::NormalMethod::QuadraticFit:
-      return surface::Fit::QuadraticLeastSquares;
-    case surface::NormalMethod::RenkaCline:
-      return surface::Fit::RenkaCline;
-    case surface::NormalMethod::Shepard:
-      return surface::Fit::Shepard;
-    case surface::NormalMethod::Hardy:
-      return surface::Fit::Hardy;
-    case surface::NormalMethod::ThinPlate:
-      return surface::Fit::ThinPlate;
-    default:
-      return std::nullopt;
-  }
-}
-
 Normals weighted_normals(const Graph& graph, const surface::NormalOptions& options) {
   Normals normals;
   for (const auto& n : surface::point_normals(graph.mesh, graph.topology, graph.features, options)) {
@@ -90,7 +71,8 @@ surface::NormalOptions options_of(surface::NormalMethod method, BohdalRemoval re
 
 Normals estimated(const BohdalMethod& method, BohdalRemoval removal, const Graph& graph, double& fallback_percent) {
   if (method.method == surface::NormalMethod::Nielson) return network_normals(graph);
-  if (const auto fit = fit_of(method.method)) return fitted_normals(graph, *fit, method.n_rings, fallback_percent);
+  if (const auto fit = surface::fit_of(method.method))
+    return fitted_normals(graph, *fit, method.n_rings, fallback_percent);
   return weighted_normals(graph, options_of(method.method, removal));
 }
 

@@ -4,23 +4,32 @@
 #include <span>
 #include <vector>
 
+#include "nearwall/core/parallel.h"
 #include "nearwall/surface/point_normals.h"
 #include "surface/corner_weight.h"
+#include "surface/face_normals.h"
 
 namespace nearwall::surface {
+
+/// What the normals of one surface are made from.
+struct FanSource {
+  /// \throws InputError if an option is out of range
+  FanSource(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
+            const NormalOptions& options);
+
+  const mesh::SurfaceMesh& surface;
+  const mesh::Topology& topology;
+  const Features& features;
+  NormalOptions options;
+  std::vector<char> is_left_out;  ///< (n_faces) faces that weighted means pass over; empty: none
+  double scale = 1;               ///< power of two that brings the surface's extent near 1
+};
 
 /// Normals of one vertex after the other, from the faces round it alone, with room that is used again.
 class FanNormals {
  public:
-  /// \param is_left_out  (n_faces) faces that weighted means pass over; empty: none
-  FanNormals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
-             const NormalOptions& options, const std::vector<char>& is_left_out)
-      : surface_(surface),
-        topology_(topology),
-        features_(features),
-        options_(options),
-        is_left_out_(is_left_out),
-        weight_(weight_of(options.method)) {}
+  explicit FanNormals(const FanSource& source)
+      : source_(source), weight_(weight_of(source.options.method)), face_normals_(source.features) {}
 
   /// Normal of v for a run of the faces round it.
   /// \param faces  halfedges that leave v, one for each face, counterclockwise without a gap
@@ -41,22 +50,24 @@ class FanNormals {
   Vec3 weighted_sum_of_suitable(Weight weight, VertexId v, std::span<const HalfedgeId> faces) const;
   bool is_left_out(HalfedgeId h) const;
   bool drops_unsuitable(VertexId v) const;
-  void gather(std::span<const HalfedgeId> faces);
   PointNormal optimal(VertexId v, std::span<const HalfedgeId> faces);
+  PointNormal kallinderis(VertexId v, std::span<const HalfedgeId> faces);
   std::optional<NormalNormal> most_normal(VertexId v, std::span<const HalfedgeId> faces);
-  PointNormal answer_or_most_visible(const std::optional<VisibleNormal>& answer, VertexId v,
-                                     std::span<const HalfedgeId> faces);
-  PointNormal most_visible_or(const Vec3& direction, bool is_fallback);
+  PointNormal most_visible_or(const Vec3& direction, std::span<const Vec3> normals, bool is_fallback) const;
 
-  const mesh::SurfaceMesh& surface_;
-  const mesh::Topology& topology_;
-  const Features& features_;
-  const NormalOptions& options_;
-  const std::vector<char>& is_left_out_;
+  const FanSource& source_;
   std::optional<Weight> weight_;  // of the method, if it is a weighted mean
+  FaceNormals face_normals_;
   std::vector<Vec3> ring_;
-  std::vector<Vec3> room_;
-  std::span<const Vec3> normals_;  // of the run's faces with an area, in room_
 };
+
+/// Calls `body(v, fans)` for each vertex, in blocks on all threads, with a `FanNormals` for each block.
+template <class Body>
+void for_each_vertex(const FanSource& source, const Body& body) {
+  parallel_blocks(source.surface.points.size(), kVertexBlock, [&](std::size_t begin, std::size_t end) {
+    FanNormals fans(source);
+    for (std::size_t i = begin; i < end; ++i) body(VertexId(i), fans);
+  });
+}
 
 }  // namespace nearwall::surface

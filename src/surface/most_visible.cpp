@@ -51,6 +51,7 @@ double squared_chord_to_worst(const Vec3& direction, std::span<const Vec3> norma
 }
 
 PointNormal judged(const Vec3& direction, std::span<const Vec3> normals, double squared_chord) {
+  if (direction == Vec3{}) return {{}, kRightAngle, false, true};
   const bool is_visible = cosine_of(squared_chord) > kSurelyPositive || sees_all(direction, normals);
   const double angle = geometry::angle_of_chord(squared_chord);
   return {direction, is_visible ? below_right_angle(angle) : std::max(angle, kRightAngle), is_visible};

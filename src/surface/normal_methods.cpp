@@ -47,4 +47,23 @@ std::optional<Weight> weight_of(NormalMethod method) {
   }
 }
 
+std::optional<Fit> fit_of(NormalMethod method) {
+  switch (method) {
+    case NormalMethod::LinearFit:
+      return Fit::LinearLeastSquares;
+    case NormalMethod::QuadraticFit:
+      return Fit::QuadraticLeastSquares;
+    case NormalMethod::RenkaCline:
+      return Fit::RenkaCline;
+    case NormalMethod::Shepard:
+      return Fit::Shepard;
+    case NormalMethod::Hardy:
+      return Fit::Hardy;
+    case NormalMethod::ThinPlate:
+      return Fit::ThinPlate;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace nearwall::surface

@@ -16,7 +16,7 @@ bool sees_all(const Vec3& direction, std::span<const Vec3> normals);
 /// Squared chord from `direction` to the farthest of the normals: cosine 1 - s / 2, angle 2 asin(sqrt(s) / 2).
 double squared_chord_to_worst(const Vec3& direction, std::span<const Vec3> normals);
 
-/// The unit vector `direction` as the normal of a vertex whose faces have these unit normals.
+/// The unit vector `direction` as the normal of a vertex whose faces have these unit normals; zero sees nothing.
 /// \param squared_chord  to the worst of them
 PointNormal judged(const Vec3& direction, std::span<const Vec3> normals, double squared_chord);
 

@@ -6,10 +6,8 @@
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
-#include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
 #include "surface/fan_normals.h"
-#include "surface/thin_faces.h"
 
 namespace nearwall::surface {
 
@@ -17,24 +15,17 @@ namespace {
 
 using mesh::Topology;
 
-/// Vertices that one thread takes at a time.
-constexpr std::size_t kBlock = 4096;
-
 bool is_convex_ridge(const Features& features, HalfedgeId h) { return features.is_ridge[h] && features.turn[h] > 0; }
 
 /// Vertices at which convex ridges meet or pass and which no direction sees.
 IdVector<VertexId, char> find_blind(const mesh::SurfaceMesh& surface, const Topology& topology,
                                     const Features& features) {
   IdVector<VertexId, char> is_blind(topology.n_vertices(), 0);
-  const NormalOptions most_visible;
-  const std::vector<char> none_left_out;
-  parallel_blocks(is_blind.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    FanNormals fans(surface, topology, features, most_visible, none_left_out);
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto fan = topology.fan(VertexId(i));
-      if (!std::any_of(fan.begin(), fan.end(), [&](HalfedgeId h) { return is_convex_ridge(features, h); })) continue;
-      is_blind[VertexId(i)] = fans.of(VertexId(i), fan).is_visible ? 0 : 1;
-    }
+  const FanSource source(surface, topology, features, {.method = NormalMethod::MostVisible});
+  for_each_vertex(source, [&](VertexId v, FanNormals& fans) {
+    const auto fan = topology.fan(v);
+    if (!std::any_of(fan.begin(), fan.end(), [&](HalfedgeId h) { return is_convex_ridge(features, h); })) return;
+    is_blind[v] = fans.of(v, fan).is_visible ? 0 : 1;
   });
   return is_blind;
 }
@@ -174,9 +165,9 @@ PatchNormals patch_normals(const mesh::SurfaceMesh& surface, const Topology& top
   result.offset = offsets(topology, is_separator);
   result.normal.resize(result.offset.raw().back());
   result.group_of_corner.resize(3 * topology.n_faces());
-  const std::vector<char> is_left_out = thin_boundary_faces(surface, topology, options.thin_angle);
-  parallel_blocks(topology.n_vertices(), kBlock, [&](std::size_t begin, std::size_t end) {
-    FanNormals fans(surface, topology, features, options, is_left_out);
+  const FanSource source(surface, topology, features, options);
+  parallel_blocks(topology.n_vertices(), kVertexBlock, [&](std::size_t begin, std::size_t end) {
+    FanNormals fans(source);
     Runs runs(topology, is_separator);
     for (std::size_t i = begin; i < end; ++i) {
       const VertexId v(i);

@@ -11,7 +11,9 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
+#include "nearwall/geometry/angles.h"
 #include "nearwall/surface/iterative_normals.h"
+#include "surface/face_normals.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 #include "surface/smoothing_room.h"
@@ -19,9 +21,6 @@
 namespace nearwall::surface {
 
 namespace {
-
-/// Vertices that one thread takes at a time.
-constexpr std::size_t kBlock = 4096;
 
 /// A sum of unit vectors shorter than this has mostly cancelled: its direction is left alone.
 constexpr double kCancelled = 0x1p-20;
@@ -62,12 +61,12 @@ struct Neighbours {
 
 /// Appends the vertices that a smooth or ridge vertex looks at.
 void append_ring(const mesh::Topology& topology, const Features& features, VertexId v, std::vector<VertexId>& ring) {
-  const bool along_ridge_only = features.kind[v] == PointKind::Ridge;
+  if (features.kind[v] != PointKind::Ridge) {
+    topology.for_each_neighbour(v, [&](VertexId w) { ring.push_back(w); });
+    return;
+  }
   for (const HalfedgeId h : topology.fan(v)) {
-    if (!along_ridge_only || features.is_ridge[h]) ring.push_back(topology.target(h));
-    // The last edge of an open fan has a halfedge towards v only.
-    const HalfedgeId last = mesh::Topology::previous(h);
-    if (!along_ridge_only && !topology.twin(last).is_valid()) ring.push_back(topology.origin(last));
+    if (features.is_ridge[h]) ring.push_back(topology.target(h));
   }
 }
 
@@ -94,7 +93,7 @@ Neighbours find_neighbours(const mesh::Topology& topology, const Features& featu
 /// Moves directions towards what their neighbours say, one vertex after the other.
 class Mover {
  public:
-  Mover(const SmoothingOptions& options) : options_(options) {}
+  explicit Mover(const SmoothingOptions& options) : options_(options) {}
 
   /// `own` moved by `step` of the way to its neighbours (away from them if negative), back to unit length.
   Vec3 stepped(const Vec3& own, std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions,
@@ -128,9 +127,15 @@ class Mover {
       for (const Vec3& direction : round) least_cosine = std::min(least_cosine, dot(direction, middle));
       if (least_cosine > options_.trigger) return middle;
     }
-    const Vec3 best =
-        options_.search == SearchMethod::Direct ? smallest_cap(round).centre : iterative_normal(round).direction;
+    const Vec3 best = search(round);
     return best != Vec3{} ? best : own;
+  }
+
+  /// Zero where nothing sees all directions.
+  Vec3 search(std::span<const Vec3> directions) const {
+    if (options_.search == SearchMethod::Direct) return smallest_cap(directions).centre;
+    const IterativeNormal found = iterative_normal(directions);
+    return found.max_angle < geometry::kPi / 2 ? found.direction : Vec3{};
   }
 
   const SmoothingOptions& options_;
@@ -140,7 +145,7 @@ class Mover {
 /// Calls `body(i, v, tools)` for each moving vertex, in blocks on all threads; `make_tools()` is called for each block.
 template <class MakeTools, class Body>
 void for_each_moving(const Neighbours& neighbours, const MakeTools& make_tools, const Body& body) {
-  parallel_blocks(neighbours.moving.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(neighbours.moving.size(), kVertexBlock, [&](std::size_t begin, std::size_t end) {
     auto tools = make_tools();
     for (std::size_t i = begin; i < end; ++i) body(i, neighbours.moving[i], tools);
   });
@@ -174,7 +179,7 @@ void smooth_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topo
     for_each_moving(
         neighbours,
         [&] {
-          return Tools{Mover(options), FaceNormals(topology, features)};
+          return Tools{Mover(options), FaceNormals(features)};
         },
         body);
   };
@@ -197,12 +202,12 @@ void smooth_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topo
     const IdVector<VertexId, Vec3>& from = has_counter_step ? shrunk : current;
     for_each([&](std::size_t i, VertexId v, Tools& tools) {
       const Vec3 wanted = tools.mover.stepped(from[v], neighbours.of(i), from, last_step);
-      next[v] = is_surely_in(rooms[i], wanted) ? wanted : drawn_back(wanted, rooms[i], tools.faces.round(v));
+      next[v] = is_surely_in(rooms[i], wanted) ? wanted : drawn_back(wanted, rooms[i], tools.faces.of(topology.fan(v)));
     });
     std::swap(current, next);
   }
   for_each([&](std::size_t, VertexId v, Tools& tools) {
-    const auto round = tools.faces.round(v);
+    const auto round = tools.faces.of(topology.fan(v));
     const bool is_fallback = normals[v].is_fallback;
     normals[v] = judged(current[v], round, squared_chord_to_worst(current[v], round));
     normals[v].is_fallback = is_fallback;

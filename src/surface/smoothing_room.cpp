@@ -50,13 +50,4 @@ Vec3 drawn_back(const Vec3& wanted, const Room& room, std::span<const Vec3> norm
   return sees_all(result, normals) ? result : room.given;
 }
 
-std::span<const Vec3> FaceNormals::round(VertexId v) {
-  normals_.clear();
-  for (const HalfedgeId h : topology_.fan(v)) {
-    const Vec3& normal = features_.face_normal[mesh::Topology::face(h)];
-    if (normal != Vec3{}) normals_.push_back(normal);
-  }
-  return normals_;
-}
-
 }  // namespace nearwall::surface

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "nearwall/mesh/topology.h"
-#include "nearwall/surface/features.h"
 #include "nearwall/surface/point_normals.h"
 
 namespace nearwall::surface {
@@ -26,19 +23,5 @@ inline bool is_surely_in(const Room& room, const Vec3& wanted) {
 /// `wanted` if it lies in the room, else the last direction on the arc from the given one to it that does.
 /// \param normals  of the faces round the vertex; their sides are decided exactly
 Vec3 drawn_back(const Vec3& wanted, const Room& room, std::span<const Vec3> normals);
-
-/// Lists the unit normals of the faces round one vertex after the other, in memory that is used again.
-class FaceNormals {
- public:
-  FaceNormals(const mesh::Topology& topology, const Features& features) : topology_(topology), features_(features) {}
-
-  /// Normals round v without those of faces without area; valid until the next call.
-  std::span<const Vec3> round(VertexId v);
-
- private:
-  const mesh::Topology& topology_;
-  const Features& features_;
-  std::vector<Vec3> normals_;
-};
 
 }  // namespace nearwall::surface

@@ -31,6 +31,13 @@ TEST(AngleFrom, KnowsItsEnds) {
   EXPECT_DOUBLE_EQ(angle_from(1, 1e-300), kPi / 2);
 }
 
+TEST(AngleFrom, KeepsWhatIsNotANumber) {
+  const double nan = std::nan("");
+  for (const double angle : {angle_from(nan, 1), angle_from(1, nan), angle_from(nan, nan), angle_of_chord(nan)}) {
+    EXPECT_TRUE(std::isnan(angle));
+  }
+}
+
 TEST(AngleFrom, GrowsWhereItsPiecesMeet) {
   for (const double tangent : {std::tan(kPi / 8), 1.0}) {
     double before = 0;

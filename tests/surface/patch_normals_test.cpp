@@ -267,6 +267,9 @@ TEST(PatchNormals, RefuseAnglesOutOfRangeAndMethodsThatNeedMoreThanARun) {
   for (const NormalMethod method : {NormalMethod::Nielson, NormalMethod::MostNormal, NormalMethod::Hardy}) {
     EXPECT_THROW(cube.patches({.method = method}), InputError);
   }
+  for (const double thin_angle : {-1.0, 7.0, std::nan("")}) {
+    EXPECT_THROW(cube.patches({.thin_angle = thin_angle}), InputError);
+  }
 }
 
 }  // namespace

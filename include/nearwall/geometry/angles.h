@@ -11,7 +11,8 @@ inline constexpr double kPi = std::numbers::pi;
 constexpr double to_degrees(double radians) { return radians * (180.0 / kPi); }
 constexpr double to_radians(double degrees) { return degrees * (kPi / 180.0); }
 
-/// Angle between two vectors of any length, in [0, pi]. Accurate at 0 and pi, too, where arccos is not.
+/// Angle between two vectors, in [0, pi]; 0 if one is zero. Accurate at 0 and pi, too, where arccos is not.
+/// Lengths between 1e-70 and 1e70, whose fourth powers are in the range of doubles.
 double angle_between(const Vec3& a, const Vec3& b);
 
 /// Interior angle at `apex` of the triangle (apex, b, c), in [0, pi].

@@ -7,7 +7,8 @@ namespace nearwall::geometry {
 
 /// Angle whose sine and cosine are in the ratio given, in [0, pi]; 0 where both are 0. What std::atan2 gives, to 1e-15
 /// of its size, but with the same bits on every machine and in under half the time.
-/// \param sine  >= 0; any common factor    \param cosine  any sign
+/// \param sine  >= 0; any common factor, but finite    \param cosine  any sign
+/// Not a number if one of them is not.
 /// Source: a polynomial of least error (5e-18 of the angle) for arctan(x) / x in x^2, |x| <= tan(pi / 8).
 inline double angle_from(double sine, double cosine) {
   constexpr double kTangentOfEighth = 0.41421356237309503;
@@ -16,7 +17,7 @@ inline double angle_from(double sine, double cosine) {
                           -0x1.a0999c632b6edp-5, 0x1.4162c02b1dda3p-5, -0x1.3a31b1c0fd3b7p-6};
   const double size = std::abs(cosine);
   const double low = sine < size ? sine : size, high = sine < size ? size : sine;
-  if (!(high > 0)) return 0.0;
+  if (high == 0) return 0.0;
   // The angle below pi / 4 whose tangent is low / high, counted from pi / 4 where it is nearer to that.
   const bool is_steep = low > kTangentOfEighth * high;
   const double x = (is_steep ? low - high : low) / (is_steep ? low + high : high);
@@ -32,7 +33,7 @@ inline double angle_from(double sine, double cosine) {
 
 /// Angle between two unit vectors at this squared distance, in [0, pi]; more than 4 counts as 4.
 inline double angle_of_chord(double squared_chord) {
-  const double squared_sine = squared_chord < 4 ? 0.25 * squared_chord : 1.0;
+  const double squared_sine = squared_chord > 4 ? 1.0 : 0.25 * squared_chord;
   return 2.0 * angle_from(std::sqrt(squared_sine), std::sqrt(1.0 - squared_sine));
 }
 

@@ -42,6 +42,13 @@ class Topology {
   std::span<const HalfedgeId> fan(VertexId v) const {
     return {fan_.data() + fan_offset_[v.index()], fan_.data() + fan_offset_[v.index() + 1]};
   }
+  /// Calls `body(w)` for each vertex w that an edge joins to v, counterclockwise.
+  template <class Body>
+  void for_each_neighbour(VertexId v, const Body& body) const {
+    for (const HalfedgeId h : fan(v)) body(target(h));
+    // The last edge of an open fan has a halfedge towards v only.
+    if (!fan(v).empty() && is_boundary(v)) body(origin(previous(fan(v).back())));
+  }
   bool is_boundary(VertexId v) const;
   bool is_closed() const { return is_closed_; }
 

@@ -55,7 +55,7 @@ bool is_for_runs(NormalMethod method);
 /// One normal for each group of faces round each vertex, where two separators or more divide them; on a boundary, which
 /// separates as well, one does. Otherwise there is one group. Groups are numbered as in `discrete_patches`.
 /// \param groups  used for Separation::Groups only
-/// \throws InputError if the angle is out of range or the method is not for runs
+/// \throws InputError if an option is out of range or the method is not for runs
 /// Cost: O(n_faces) but for vertices with very many faces, mostly on all threads; the same bits at any number of them.
 PatchNormals patch_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology, const Features& features,
                            Separation separation, const NormalOptions& options = {}, const GroupOptions& groups = {});

@@ -5,9 +5,11 @@
 #include <string_view>
 
 #include "nearwall/core/vec3.h"
+#include "nearwall/geometry/angles.h"
 #include "nearwall/mesh/surface_mesh.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
+#include "nearwall/surface/fitted_normals.h"
 #include "nearwall/surface/normals.h"
 
 namespace nearwall::surface {
@@ -78,6 +80,9 @@ std::optional<NormalMethod> normal_method(std::string_view name);
 /// The weight of a method that is a weighted mean; nullopt for the others.
 std::optional<Weight> weight_of(NormalMethod method);
 
+/// The function of a method that is a local fit; nullopt for the others.
+std::optional<Fit> fit_of(NormalMethod method);
+
 struct PointNormal {
   Vec3 direction;            ///< unit vector
   double max_angle = 0;      ///< to the worst adjacent face [rad]; >= pi / 2: blind
@@ -88,25 +93,25 @@ struct PointNormal {
 /// Which face normals a weighted mean leaves out because they differ much from the others (Bohdal 2017, algorithm 1).
 enum class Unsuitable { Keep, DropAtBoundary, DropEverywhere };
 
+/// Widest corner that a boundary face may have to count in means (Bohdal 2017, section 3).
+inline constexpr double kThinAngleInDegrees = 178;
+
 struct NormalOptions {
   NormalMethod method = NormalMethod::MostVisible;
-  /// Boundary faces with a corner wider than this are left out of weighted means and fits, and those that come to lie
-  /// on the boundary then [rad]; pi: none. Default 178 degrees (Bohdal 2017, section 3). Never all faces of a vertex.
-  double thin_angle = 3.106686158378;
+  /// Boundary faces with a corner wider than this are left out of weighted means, and those that come to lie on the
+  /// boundary then, but never all faces of a vertex [rad], (0, pi]; pi: none. Fits take their axis from such a mean.
+  double thin_angle = geometry::to_radians(kThinAngleInDegrees);
   Unsuitable unsuitable = Unsuitable::Keep;  ///< for weighted means only
 };
 
-/// Where a plain mean of the face normals has a worst cosine above this, the methods that look for an optimum
-/// (MostVisible, MostNormal) take a mean (Aubry & Loehner 2008, section 5).
+/// Where the angle-weighted mean of the face normals has a worst cosine above this, the methods that look for an
+/// optimum (MostVisible, MostNormal) take that mean (Aubry & Loehner 2008, section 5).
 inline constexpr double kVisibilityTrigger = 0.95;
 
 /// One normal for each vertex by the method asked for. Faces without area are passed over. Open surfaces: a boundary
-/// vertex has the faces it has. Where the method has no answer `is_fallback` is set, and the direction is
-/// - the most visible normal where MostNormal lies outside the visibility cone or the vertex is on a boundary, and
-/// where
-///   Kallinderis finds none;
-/// - the Max-weighted normal where a fit is singular;
-/// - the angle-weighted normal where nothing sees all faces.
+/// vertex has the faces it has. Where the method has no answer `is_fallback` is set, and the direction is another's:
+/// the most visible one for MostNormal outside the visibility cone or on a boundary, and for Kallinderis; the
+/// Max-weighted one for fits and Nielson; the angle-weighted one where nothing sees all faces; zero without any face.
 /// Cost: O(n_faces) but for vertices with very many faces, more for Nielson; on all threads.
 /// \throws InputError if an option is out of range
 IdVector<VertexId, PointNormal> point_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topology,
