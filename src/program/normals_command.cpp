@@ -27,7 +27,7 @@ struct NormalsArguments {
   std::string output;
   std::string method = "most-visible";
   std::string unsuitable = "keep";
-  double thin_angle_deg = 178;
+  double thin_angle_deg = surface::kThinAngleInDegrees;
   std::string filter = "none";
   int iterations = 5;
   std::string per = "vertex";
@@ -62,6 +62,12 @@ ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
   demand_vtp("--output", arguments.output);
   const surface::NormalOptions options = normal_options(arguments);
   const surface::SmoothingOptions smoothing = smoothing_options(arguments);
+  if (arguments.per != "vertex" && !surface::is_for_runs(options.method)) {
+    throw InputError(
+        fmt::format("--per {}: --method {} needs all of what is round a vertex; leave --per out, or take a "
+                    "weight, most-visible, kallinderis, pirzadeh or iterative",
+                    arguments.per, arguments.method));
+  }
   if (arguments.per != "vertex" && smoothing.filter != surface::SmoothingFilter::None) {
     throw InputError(fmt::format("--filter {}: smooths one normal for each vertex; leave it out, or --per {}",
                                  arguments.filter, arguments.per));
@@ -98,7 +104,7 @@ ExitCode run_normals(const NormalsArguments& arguments, Console& console) {
 }
 
 void add_method_options(CLI::App& app, NormalsArguments& arguments) {
-  app.add_option("--method", arguments.method, "docs/normals.md, section 2, lists them all")
+  app.add_option("--method", arguments.method, fmt::format("{}", fmt::join(surface::kNormalMethodNames, ", ")))
       ->type_name("M")
       ->capture_default_str();
   app.add_option("--thin-angle", arguments.thin_angle_deg,
@@ -111,13 +117,14 @@ void add_method_options(CLI::App& app, NormalsArguments& arguments) {
       ->type_name("RULE")
       ->check(CLI::IsMember({"keep", "at-boundary", "everywhere"}))
       ->capture_default_str();
-  app.add_option("--filter", arguments.filter,
-                 fmt::format("smoothing: {}", fmt::join(surface::kSmoothingFilterNames, ", ")))
-      ->type_name("F")
-      ->capture_default_str();
+  CLI::Option* filter = app.add_option("--filter", arguments.filter,
+                                       fmt::format("smoothing: {}", fmt::join(surface::kSmoothingFilterNames, ", ")))
+                            ->type_name("F")
+                            ->capture_default_str();
   app.add_option("--iterations", arguments.iterations, "sweeps of the filter")
       ->type_name("N")
       ->check(CLI::Range(0, 1000))
+      ->needs(filter)
       ->capture_default_str();
   app.add_option(
          "--per", arguments.per,
@@ -137,7 +144,7 @@ void add_method_options(CLI::App& app, NormalsArguments& arguments) {
 void add_normals_command(CommandLine& line) {
   const auto arguments = std::make_shared<NormalsArguments>();
   CLI::App& app =
-      line.add("normals", "point normals of a surface, closed or open", "normals SURFACE --method M -o OUT.vtp",
+      line.add("normals", "point normals of a surface, closed or open", "normals SURFACE -o OUT.vtp [options]",
                "nearwall normals wing.stl --method most-visible -o normals.vtp",
                [arguments](CommandContext& context) { return run_normals(*arguments, context.console); });
   arguments->surface.add_argument(app);
