@@ -1,11 +1,15 @@
 #include "nearwall/studies/aubry_lohner.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "nearwall/core/errors.h"
+#include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
 #include "nearwall/mesh/topology.h"
@@ -13,6 +17,7 @@
 #include "nearwall/surface/features.h"
 #include "nearwall/surface/point_normals.h"
 #include "nearwall/surface/smoothing.h"
+#include "studies/repetitions.h"
 #include "studies/scenes.h"
 #include "studies/stopwatch.h"
 
@@ -20,7 +25,6 @@ namespace nearwall::studies {
 
 namespace {
 
-constexpr int kSweeps = 5;
 constexpr double kMillion = 1e6;
 
 /// A body, ready for normals.
@@ -52,16 +56,24 @@ Table body_table(const std::vector<Scene>& scenes) {
   return table;
 }
 
+const SweepResult& result_of(SweepKind kind, const std::vector<SweepResult>& results) {
+  const auto at = std::find_if(results.begin(), results.end(), [&](const SweepResult& r) { return r.kind == kind; });
+  expect(at != results.end(), "every kind of sweep has a result");
+  return *at;
+}
+
+std::string name_of(SweepKind kind) { return std::string(kSweepNames[static_cast<std::size_t>(kind)]); }
+
 Table sweep_table(const Scene& scene, const std::vector<SweepResult>& results) {
   Table table{.title = fmt::format("Five sweeps over \"{}\"", scene.name),
               .row_title = "sweep",
               .columns = {"seconds", "over plain", "million points/s", "searched, %", "iterations", "not converged, %",
                           "worst angle, °", "blind points", "mean angle at ridges, °"}};
-  const double plain = results[1].seconds;
+  const double plain = result_of(SweepKind::Plain, results).seconds;
   const auto n = static_cast<double>(scene.mesh.points.size()) * kSweeps;
   for (const SweepResult& r : results) {
     table.rows.push_back(
-        {r.kind,
+        {name_of(r.kind),
          {r.seconds, r.seconds / plain, n / r.seconds / kMillion, r.direct_percent, r.mean_iterations,
           r.not_converged_percent, r.worst_angle_deg, static_cast<double>(r.n_blind), r.edge_angle_deg}});
   }
@@ -149,17 +161,31 @@ Table face_table(const Scene& scene, int repetitions, ProgressSink& progress) {
   return table;
 }
 
+/// What the paper measured; NaN where it did not.
+struct PaperTime {
+  SweepKind kind;
+  double seconds;  ///< of five sweeps
+};
+constexpr double kPaperPoints = 121'000;
+constexpr std::array<PaperTime, 5> kPaperTimes = {{{SweepKind::Streaming, std::numeric_limits<double>::quiet_NaN()},
+                                                   {SweepKind::Plain, 1},
+                                                   {SweepKind::Triggered, 3},
+                                                   {SweepKind::Direct, 8},
+                                                   {SweepKind::IterativeFull, 14}}};
+
 Picture rate_plot(const std::vector<Scene>& scenes, const std::vector<std::vector<SweepResult>>& results) {
   BarPlot plot{.title = "Sweeps on one thread", .y_label = "million points/s", .is_log_y = true};
-  plot.groups = {"streaming only", "plain", "triggered", "direct", "iterative"};
-  // Five sweeps over 121,000 points in 1 s, 3 s, 8 s and 14 s.
-  constexpr double kPaperPoints = kSweeps * 0.121;
-  plot.series.emplace_back("paper, 2007", std::vector<double>{std::nan(""), kPaperPoints, kPaperPoints / 3,
-                                                              kPaperPoints / 8, kPaperPoints / 14});
+  auto& [paper, paper_rates] = plot.series.emplace_back("paper, 2007", std::vector<double>());
+  for (const PaperTime& time : kPaperTimes) {
+    plot.groups.push_back(name_of(time.kind));
+    paper_rates.push_back(kPaperPoints * kSweeps / time.seconds / kMillion);
+  }
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     std::vector<double> rates;
     const auto n = static_cast<double>(scenes[i].mesh.points.size()) * kSweeps;
-    for (const std::size_t kind : {0, 1, 3, 2, 4}) rates.push_back(n / results[i][kind].seconds / kMillion);
+    for (const PaperTime& time : kPaperTimes) {
+      rates.push_back(n / result_of(time.kind, results[i]).seconds / kMillion);
+    }
     plot.series.emplace_back(scenes[i].name, rates);
   }
   return {"study-aubry-lohner.svg", plot.title, to_svg(plot)};
@@ -168,7 +194,7 @@ Picture rate_plot(const std::vector<Scene>& scenes, const std::vector<std::vecto
 }  // namespace
 
 Report study_aubry_lohner(const AubryLohnerOptions& options, ProgressSink& progress) {
-  if (options.repetitions < 1) throw InputError("study aubry-lohner: expected at least 1 repetition");
+  check_repetitions("aubry-lohner", options.repetitions);
   const ThreadLimit one_thread(1);
   progress.begin_stage("bodies");
   const std::vector<Scene> scenes = {flyer_scene(), block_scene()};

@@ -1,23 +1,25 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
-#include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
 #include "nearwall/mesh/topology.h"
+#include "nearwall/predicates/orientation.h"
 #include "nearwall/studies/aubry_lohner.h"
 #include "nearwall/surface/features.h"
 #include "nearwall/surface/iterative_normals.h"
 #include "nearwall/surface/point_normals.h"
+#include "studies/repetitions.h"
 #include "studies/stopwatch.h"
 
 namespace nearwall::studies {
 
 namespace {
-
-constexpr int kSweeps = 5;  // of the paper
 
 using Directions = std::vector<Vec3>;
 
@@ -98,14 +100,14 @@ void sweep_all(std::size_t n_points, Directions& from, Directions& to, const OfP
 
 /// A kind of sweep: does all sweeps over `from`, which has the result then.
 struct Kind {
-  std::string name;
+  SweepKind kind;
   std::function<Counts(const Rings&, Directions& from, Directions& to)> run;
   bool is_slow = false;       ///< measured once
   bool is_iterative = false;  ///< has iterations to tell of
 };
 
 Kind plain_kind() {
-  return {"plain", [](const Rings& rings, Directions& from, Directions& to) {
+  return {SweepKind::Plain, [](const Rings& rings, Directions& from, Directions& to) {
             sweep_all(rings.n_points(), from, to, [&](std::size_t v, const Directions& normals) {
               Vec3 sum;
               for (const std::uint32_t w : rings.of(v)) sum += normals[w];
@@ -115,7 +117,7 @@ Kind plain_kind() {
           }};
 }
 
-Kind kind_of(const std::string& name, const Search& search, bool is_iterative) {
+Kind kind_of(SweepKind kind, const Search& search, bool is_iterative) {
   const auto run = [search](const Rings& rings, Directions& from, Directions& to) {
     Counts counts;
     std::vector<Vec3> copies;
@@ -126,34 +128,39 @@ Kind kind_of(const std::string& name, const Search& search, bool is_iterative) {
     });
     return counts;
   };
-  return {name, run, is_iterative, is_iterative};
+  return {kind, run, is_iterative, is_iterative};
 }
 
 /// Reads and writes what a sweep does, with hardly anything in between.
 Kind stream_kind() {
-  return {"streaming only", [](const Rings& rings, Directions& from, Directions& to) {
+  return {SweepKind::Streaming, [](const Rings& rings, Directions& from, Directions& to) {
             std::uint32_t sum = 0;
             sweep_all(rings.n_points(), from, to, [&](std::size_t v, const Directions& normals) {
               for (const std::uint32_t w : rings.of(v)) sum += w;
               return normals[v];
             });
-            // Something must depend on what was read.
-            return Counts{.n_searches = sum == 0 ? std::size_t{1} : 0};
+            // Something must depend on what was read, or the compiler leaves the reading out.
+            [[maybe_unused]] const volatile std::uint32_t read = sum;
+            return Counts();
           }};
 }
 
-/// Fills in how well the normals see the faces.
+/// Fills in how well the normals see the faces; those without area do not count.
 void judge(const Directions& normals, const mesh::Topology& topology, const surface::Features& features,
            SweepResult& result) {
   double edge_sum = 0;
   std::size_t n_edge = 0;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     double worst = 0;
+    bool is_blind = false;
     for (const HalfedgeId h : topology.fan(VertexId(v))) {
-      worst = std::max(worst, geometry::angle_between(normals[v], features.face_normal[mesh::Topology::face(h)]));
+      const Vec3& face = features.face_normal[mesh::Topology::face(h)];
+      if (face == Vec3()) continue;
+      worst = std::max(worst, geometry::angle_between(normals[v], face));
+      is_blind = is_blind || predicates::sign_of_dot(face, normals[v]) != predicates::Sign::Positive;
     }
     result.worst_angle_deg = std::max(result.worst_angle_deg, geometry::to_degrees(worst));
-    if (worst >= geometry::kPi / 2) ++result.n_blind;
+    if (is_blind) ++result.n_blind;
     if (features.kind[VertexId(v)] != surface::PointKind::Smooth) edge_sum += geometry::to_degrees(worst), ++n_edge;
   }
   result.edge_angle_deg = edge_sum / static_cast<double>(std::max<std::size_t>(n_edge, 1));
@@ -162,7 +169,7 @@ void judge(const Directions& normals, const mesh::Topology& topology, const surf
 SweepResult result_of(const Kind& kind, const Counts& counts, std::size_t n_points) {
   const auto n_searches = static_cast<double>(counts.n_searches);
   const double none = std::nan("");
-  return {.kind = kind.name,
+  return {.kind = kind.kind,
           .direct_percent = 100 * n_searches / static_cast<double>(kSweeps * n_points),
           .mean_iterations = kind.is_iterative ? static_cast<double>(counts.n_iterations) / n_searches : none,
           .not_converged_percent =
@@ -173,6 +180,7 @@ SweepResult result_of(const Kind& kind, const Counts& counts, std::size_t n_poin
 
 std::vector<SweepResult> compare_sweeps(const mesh::SurfaceMesh& surface, const AubryLohnerOptions& options,
                                         ProgressSink& progress) {
+  check_repetitions("aubry-lohner", options.repetitions);
   const mesh::Topology topology(surface);
   const surface::Features features = surface::find_features(surface, topology);
   Directions start;
@@ -181,11 +189,11 @@ std::vector<SweepResult> compare_sweeps(const mesh::SurfaceMesh& surface, const 
 
   const std::vector<Kind> kinds = {stream_kind(),
                                    plain_kind(),
-                                   kind_of("direct", direct_search, false),
-                                   kind_of("triggered", triggered_search, false),
-                                   kind_of("iterative, β = 1", iterative_search(1.0), true),
-                                   kind_of("iterative, β = 1/2", iterative_search(0.5), true),
-                                   kind_of("iterative, β chosen", iterative_search(std::nullopt), true)};
+                                   kind_of(SweepKind::Direct, direct_search, false),
+                                   kind_of(SweepKind::Triggered, triggered_search, false),
+                                   kind_of(SweepKind::IterativeFull, iterative_search(1.0), true),
+                                   kind_of(SweepKind::IterativeHalf, iterative_search(0.5), true),
+                                   kind_of(SweepKind::IterativeChosen, iterative_search(std::nullopt), true)};
   std::vector<SweepResult> results(kinds.size());
   std::vector<std::vector<double>> seconds(kinds.size());
   // All kinds by turns: what slows the machine for a while slows them all.

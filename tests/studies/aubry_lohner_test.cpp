@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +18,7 @@
 namespace nearwall::studies {
 namespace {
 
-/// By name, of sweeps over a star with ridges and valleys.
+/// Of sweeps over a star with ridges and valleys.
 class StarSweeps : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -25,45 +27,52 @@ class StarSweeps : public testing::Test {
   }
   static void TearDownTestSuite() { delete results_; }
 
-  static const SweepResult& of(const std::string& kind) {
-    const auto at = std::find_if(results_->begin(), results_->end(), [&](const auto& r) { return r.kind == kind; });
-    EXPECT_NE(at, results_->end()) << kind;
-    return *at;
+  static const SweepResult& of(SweepKind kind) {
+    const SweepResult& result = results_->at(static_cast<std::size_t>(kind));
+    EXPECT_EQ(result.kind, kind);
+    return result;
   }
 
   static inline std::vector<SweepResult>* results_ = nullptr;
 };
 
 TEST_F(StarSweeps, SearchWhereTheirKindSays) {
-  EXPECT_EQ(of("plain").direct_percent, 0);
-  EXPECT_EQ(of("direct").direct_percent, 100);
-  EXPECT_GT(of("triggered").direct_percent, 10);
-  EXPECT_LT(of("triggered").direct_percent, 90);
+  EXPECT_EQ(of(SweepKind::Plain).direct_percent, 0);
+  EXPECT_EQ(of(SweepKind::Direct).direct_percent, 100);
+  EXPECT_GT(of(SweepKind::Triggered).direct_percent, 10);
+  EXPECT_LT(of(SweepKind::Triggered).direct_percent, 90);
 }
 
 TEST_F(StarSweeps, IterateToTheResultOfTheDirectMethod) {
-  for (const char* kind : {"iterative, β = 1/2", "iterative, β chosen"}) {
-    EXPECT_GT(of(kind).mean_iterations, 1) << kind;
-    EXPECT_LE(of(kind).mean_iterations, 300) << kind;
-    EXPECT_LT(of(kind).not_converged_percent, 20) << kind;
+  const SweepResult& direct = of(SweepKind::Direct);
+  for (const SweepKind kind : {SweepKind::IterativeHalf, SweepKind::IterativeChosen}) {
+    SCOPED_TRACE(kSweepNames[static_cast<std::size_t>(kind)]);
+    EXPECT_GT(of(kind).mean_iterations, 1);
+    EXPECT_LE(of(kind).mean_iterations, 300);
+    EXPECT_LT(of(kind).not_converged_percent, 20);
     // Five sweeps carry each search's tolerance of 1e-4 rad on.
-    EXPECT_NEAR(of(kind).worst_angle_deg, of("direct").worst_angle_deg, 0.5) << kind;
-    EXPECT_NEAR(of(kind).edge_angle_deg, of("direct").edge_angle_deg, 0.1) << kind;
+    EXPECT_NEAR(of(kind).worst_angle_deg, direct.worst_angle_deg, 0.5);
+    EXPECT_NEAR(of(kind).edge_angle_deg, direct.edge_angle_deg, 0.1);
   }
-  EXPECT_TRUE(std::isnan(of("direct").mean_iterations));
+  EXPECT_TRUE(std::isnan(direct.mean_iterations));
 }
 
 TEST_F(StarSweeps, LeaveTheNormalsAloneIfTheyOnlyStream) {
+  const SweepResult& start = of(SweepKind::Streaming);
+  EXPECT_EQ(start.direct_percent, 0);
+  EXPECT_EQ(start.n_blind, 0u);
   // The start is the best for each point by itself: no sweep can better the worst of all.
   for (const SweepResult& r : *results_) {
-    EXPECT_LE(of("streaming only").edge_angle_deg, r.edge_angle_deg + 1e-9) << r.kind;
-    EXPECT_LE(of("streaming only").worst_angle_deg, r.worst_angle_deg + 1e-9) << r.kind;
-    EXPECT_GT(r.seconds, 0) << r.kind;
+    SCOPED_TRACE(kSweepNames[static_cast<std::size_t>(r.kind)]);
+    EXPECT_LE(start.edge_angle_deg, r.edge_angle_deg + 1e-9);
+    EXPECT_LE(start.worst_angle_deg, r.worst_angle_deg + 1e-9);
+    EXPECT_GT(r.seconds, 0);
   }
 }
 
 TEST(AubryLohnerStudy, RefusesToMeasureNothing) {
   EXPECT_THROW(study_aubry_lohner({.repetitions = 0}, silent_progress()), InputError);
+  EXPECT_THROW(compare_sweeps(shapes::make_shape("box", {}, 1), {.repetitions = 0}, silent_progress()), InputError);
 }
 
 TEST(Scenes, AreClosedAndOfThePapersSizesWithManyRidges) {
