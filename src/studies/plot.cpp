@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,8 +21,16 @@ namespace {
 // Sizes in pixels.
 constexpr double kWidth = 760, kHeight = 440;
 constexpr double kLeft = 72, kRight = 170, kTop = 40, kBottom = 60;
-constexpr double kLineOfLegend = 20;
 constexpr double kInnerWidth = kWidth - kLeft - kRight, kInnerHeight = kHeight - kTop - kBottom;
+constexpr double kHalfLetter = 4;                 // from the middle of a letter down to the base line
+constexpr double kLabelGap = 8;                   // from the frame to the labels on its left
+constexpr double kLabelDrop = 18;                 // from the frame to the base line of the labels below
+constexpr double kTitleOfX = 16, kTitleOfY = 18;  // base lines of the axes' titles, from the edge of the picture
+constexpr double kLegendX = kLeft + kInnerWidth + 14, kLegendY = kTop + 8, kLineOfLegend = 20;
+constexpr double kLineKey = 24, kBarKey = 12;    // width of a series' sample in the legend
+constexpr double kLineText = 30, kBarText = 20;  // from there to its name, with a gap
+constexpr double kRadius = 3.5;                  // of round and square markers
+constexpr double kTip = 4.5, kSlope = 8;         // half the width and the height of pointed ones, for an equal look
 
 /// Colours that stay apart for the colour-blind (Okabe & Ito 2008), then darker ones of other hues.
 constexpr std::array<std::string_view, 12> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -40,19 +52,18 @@ std::string line(double x1, double y1, double x2, double y2, std::string_view st
 
 /// A marker of one of six forms, so that lines can be told apart without their colours.
 std::string marker(std::size_t form, double x, double y, std::string_view fill) {
-  constexpr double kRadius = 3.5;
   const auto path = [&](const std::string& d) { return fmt::format("<path d='{}' fill='{}'/>", d, fill); };
   switch (form % 6) {
     case 0:
       return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}'/>", x, y, kRadius, fill);
     case 1:
-      return path(fmt::format("M{:.1f} {:.1f}h7v7h-7z", x - kRadius, y - kRadius));
+      return path(fmt::format("M{0:.1f} {1:.1f}h{2}v{2}h-{2}z", x - kRadius, y - kRadius, 2 * kRadius));
     case 2:
-      return path(fmt::format("M{:.1f} {:.1f}l4.5 8h-9z", x, y - 4.5));
+      return path(fmt::format("M{:.1f} {:.1f}l{} {}h-{}z", x, y - kTip, kTip, kSlope, 2 * kTip));
     case 3:
-      return path(fmt::format("M{:.1f} {:.1f}l4.5 4.5l-4.5 4.5l-4.5 -4.5z", x, y - 4.5));
+      return path(fmt::format("M{0:.1f} {1:.1f}l{2} {2}l-{2} {2}l-{2} -{2}z", x, y - kTip, kTip));
     case 4:
-      return path(fmt::format("M{:.1f} {:.1f}l4.5 -8h-9z", x, y + 4.5));
+      return path(fmt::format("M{:.1f} {:.1f}l{} -{}h-{}z", x, y + kTip, kTip, kSlope, 2 * kTip));
     default:
       return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>", x, y,
                          kRadius, fill);
@@ -65,7 +76,8 @@ std::string opening(const std::string& title) {
       "font-family='sans-serif' font-size='12' fill='#222'>\n<title>{2}</title>\n<rect width='{0}' height='{1}' "
       "fill='#fff'/>\n",
       kWidth, kHeight, escaped_markup(title));
-  return out + text(kWidth / 2, kTop / 2 + 4, "middle", escaped_markup(title), " font-size='14' font-weight='bold'");
+  return out + text(kWidth / 2, kTop / 2 + kHalfLetter, "middle", escaped_markup(title),
+                    " font-size='14' font-weight='bold'");
 }
 
 std::string frame() {
@@ -77,10 +89,12 @@ std::string y_grid(const Axis& axis, const std::string& label) {
   std::string out;
   for (const double tick : axis.ticks()) {
     const double y = pixel_y(axis.place(tick));
-    out += line(kLeft, y, kLeft + kInnerWidth, y, "#ddd") + text(kLeft - 8, y + 4, "end", Axis::label(tick));
+    out += line(kLeft, y, kLeft + kInnerWidth, y, "#ddd") +
+           text(kLeft - kLabelGap, y + kHalfLetter, "end", Axis::label(tick));
   }
   const double middle = kTop + kInnerHeight / 2;
-  return out + text(18, middle, "middle", escaped_markup(label), fmt::format(" transform='rotate(-90 18 {})'", middle));
+  return out + text(kTitleOfY, middle, "middle", escaped_markup(label),
+                    fmt::format(" transform='rotate(-90 {} {})'", kTitleOfY, middle));
 }
 
 std::string x_grid(const Axis& axis, const std::string& label) {
@@ -88,20 +102,37 @@ std::string x_grid(const Axis& axis, const std::string& label) {
   for (const double tick : axis.ticks()) {
     const double x = pixel_x(axis.place(tick));
     out += line(x, kTop, x, kTop + kInnerHeight, "#ddd");
-    out += text(x, kTop + kInnerHeight + 18, "middle", Axis::label(tick));
+    out += text(x, kTop + kInnerHeight + kLabelDrop, "middle", Axis::label(tick));
   }
-  return out + text(kLeft + kInnerWidth / 2, kHeight - 16, "middle", escaped_markup(label));
+  return out + text(kLeft + kInnerWidth / 2, kHeight - kTitleOfX, "middle", escaped_markup(label));
 }
 
-double legend_y(std::size_t i) { return kTop + 8 + kLineOfLegend * static_cast<double>(i); }
+double legend_y(std::size_t i) { return kLegendY + kLineOfLegend * static_cast<double>(i); }
 
-constexpr double kLegendX = kLeft + kInnerWidth + 14;
-
+/// Those of the points that both axes can show.
 std::vector<double> coordinates(const LinePlot& plot, bool of_x) {
   std::vector<double> all;
   for (const Series& series : plot.series) {
-    for (const auto& [x, y] : series.points) all.push_back(of_x ? x : y);
+    for (const auto& [x, y] : series.points) {
+      if (Axis::can_show(x, plot.is_log_x) && Axis::can_show(y, plot.is_log_y)) all.push_back(of_x ? x : y);
+    }
   }
+  return all;
+}
+
+/// Heights of all bars, and the ground they stand on.
+std::vector<double> heights(const BarPlot& plot) {
+  std::vector<double> all;
+  for (const auto& [name, bars] : plot.series) {
+    if (bars.size() != plot.groups.size()) {
+      throw InputError(fmt::format("plot '{}': expected a bar of '{}' in each of {} groups, found {}", plot.title, name,
+                                   plot.groups.size(), bars.size()));
+    }
+    std::copy_if(bars.begin(), bars.end(), std::back_inserter(all),
+                 [&](double bar) { return Axis::can_show(bar, plot.is_log_y); });
+  }
+  // The ground alone is nothing to show.
+  if (!plot.is_log_y && !all.empty()) all.push_back(0);
   return all;
 }
 
@@ -115,9 +146,9 @@ std::string drawn(const Series& series, std::size_t i, const Axis& x_axis, const
   }
   std::string out = fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='1.5'/>\n", path, colour(i));
   const double y = legend_y(i);
-  out += fmt::format("<path d='M{} {}h24' stroke='{}' stroke-width='1.5'/>", kLegendX, y, colour(i));
-  if (has_markers) out += marker(i, kLegendX + 12, y, colour(i));
-  return out + markers + "\n" + text(kLegendX + 30, y + 4, "start", escaped_markup(series.name));
+  out += fmt::format("<path d='M{} {}h{}' stroke='{}' stroke-width='1.5'/>", kLegendX, y, kLineKey, colour(i));
+  if (has_markers) out += marker(i, kLegendX + kLineKey / 2, y, colour(i));
+  return out + markers + "\n" + text(kLegendX + kLineText, y + kHalfLetter, "start", escaped_markup(series.name));
 }
 
 }  // namespace
@@ -133,10 +164,7 @@ std::string to_svg(const LinePlot& plot) {
 
 std::string to_svg(const BarPlot& plot) {
   constexpr double kGroupShare = 0.8;  // of its width that a group fills with bars
-  std::vector<double> values;
-  for (const auto& [name, bars] : plot.series) values.insert(values.end(), bars.begin(), bars.end());
-  if (!plot.is_log_y) values.push_back(0);
-  const Axis y_axis(values, plot.is_log_y);
+  const Axis y_axis(heights(plot), plot.is_log_y);
   const double floor = pixel_y(plot.is_log_y ? 0 : y_axis.place(0));
   const double group_width = kInnerWidth / static_cast<double>(plot.groups.size());
   const double bar_width = group_width * kGroupShare / static_cast<double>(plot.series.size());
@@ -152,12 +180,12 @@ std::string to_svg(const BarPlot& plot) {
       out += fmt::format("<rect x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' fill='{}'/>\n", x,
                          std::min(y, floor), bar_width, std::abs(floor - y), colour(i));
     }
-    out +=
-        fmt::format("<rect x='{}' y='{}' width='12' height='12' fill='{}'/>\n", kLegendX, legend_y(i) - 6, colour(i));
-    out += text(kLegendX + 20, legend_y(i) + 4, "start", escaped_markup(name));
+    out += fmt::format("<rect x='{0}' y='{1}' width='{2}' height='{2}' fill='{3}'/>\n", kLegendX,
+                       legend_y(i) - kBarKey / 2, kBarKey, colour(i));
+    out += text(kLegendX + kBarText, legend_y(i) + kHalfLetter, "start", escaped_markup(name));
   }
   for (std::size_t g = 0; g < plot.groups.size(); ++g) {
-    out += text(kLeft + group_width * (static_cast<double>(g) + 0.5), kTop + kInnerHeight + 18, "middle",
+    out += text(kLeft + group_width * (static_cast<double>(g) + 0.5), kTop + kInnerHeight + kLabelDrop, "middle",
                 escaped_markup(plot.groups[g]));
   }
   return out + frame() + "</svg>\n";

@@ -42,7 +42,7 @@ Axis::Axis(const std::vector<double>& values, bool is_log) : is_log_(is_log) {
   }
 }
 
-bool Axis::can_show(double value) const { return std::isfinite(value) && (!is_log_ || value > 0); }
+bool Axis::can_show(double value, bool is_log) { return std::isfinite(value) && (!is_log || value > 0); }
 
 double Axis::place(double value) const { return ((is_log_ ? std::log10(value) : value) - low_) / (high_ - low_); }
 
@@ -72,12 +72,13 @@ void Axis::place_log_ticks() {
 }
 
 std::string Axis::label(double tick) {
-  constexpr double kSmall = 1e-3, kLarge = 1e5;
+  constexpr double kSmall = 5e-4, kLarge = 1e5;  // beyond these, powers of ten are shorter
+  constexpr double kRounding = 1e-9;             // of ticks and their logarithms, generously
   const double size = std::abs(tick);
-  if (size == 0 || (size >= kSmall * 0.5 && size < kLarge)) return fmt::format("{:.4g}", tick);
-  const double exponent = std::floor(std::log10(size) + 1e-9);
+  if (size == 0 || (size >= kSmall && size < kLarge)) return fmt::format("{:.4g}", tick);
+  const double exponent = std::floor(std::log10(size) + kRounding);
   const double mantissa = tick / std::pow(10.0, exponent);
-  const std::string factor = std::abs(mantissa - 1.0) < 1e-6 ? "" : fmt::format("{:.2g}·", mantissa);
+  const std::string factor = std::abs(mantissa - 1.0) < kRounding ? "" : fmt::format("{:.2g}·", mantissa);
   return fmt::format("{}10<tspan dy='-4' font-size='9'>{}</tspan>", factor,
                      exponent < 0 ? fmt::format("−{:.0f}", -exponent) : fmt::format("{:.0f}", exponent));
 }

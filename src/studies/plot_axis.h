@@ -12,7 +12,8 @@ class Axis {
   /// \throws InputError if there is none to show
   Axis(const std::vector<double>& values, bool is_log);
 
-  bool can_show(double value) const;
+  static bool can_show(double value, bool is_log);
+  bool can_show(double value) const { return can_show(value, is_log_); }
   /// Place of a value, 0 at the low end.
   double place(double value) const;
   /// Round numbers within the axis, for lines of the grid and their labels.

@@ -56,6 +56,13 @@ TEST(LinePlot, LeavesOutWhatALogarithmCannotShow) {
   EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }
 
+TEST(LinePlot, RefusesPointsOfWhichOneAxisCanShowNone) {
+  const double none = std::nan("");
+  EXPECT_THROW(
+      to_svg(LinePlot{.title = "t", .x_label = "x", .y_label = "y", .series = {{"a", {{1, none}, {none, 1}}}}}),
+      InputError);
+}
+
 TEST(LinePlot, EscapesTextAndStandsOnWhite) {
   const std::string svg =
       to_svg(LinePlot{.title = "a < b", .x_label = "x", .y_label = "y", .series = {{"p & q", {{0, 0}}}}});
@@ -70,6 +77,22 @@ TEST(BarPlot, DrawsABarOfEachSeriesInEachGroup) {
   std::size_t n = 0;
   for (std::size_t at = svg.find("<rect"); at != std::string::npos; at = svg.find("<rect", at + 1)) ++n;
   EXPECT_EQ(n, 4u + 2u + 2u) << "four bars, two keys, ground and frame";
+}
+
+TEST(BarPlot, RefusesNothing) {
+  const double none = std::nan("");
+  EXPECT_THROW(to_svg(BarPlot{}), InputError);
+  EXPECT_THROW(to_svg(BarPlot{.title = "t", .y_label = "y", .series = {{"a", {}}}}), InputError);
+  for (const bool is_log : {false, true}) {
+    EXPECT_THROW(
+        to_svg(BarPlot{.title = "t", .y_label = "y", .is_log_y = is_log, .groups = {"g"}, .series = {{"a", {none}}}}),
+        InputError);
+  }
+}
+
+TEST(BarPlot, RefusesBarsWithoutAGroupAndGroupsWithoutABar) {
+  EXPECT_THROW(to_svg(BarPlot{.title = "t", .y_label = "y", .groups = {"g"}, .series = {{"a", {1, 2}}}}), InputError);
+  EXPECT_THROW(to_svg(BarPlot{.title = "t", .y_label = "y", .groups = {"g", "h"}, .series = {{"a", {1}}}}), InputError);
 }
 
 }  // namespace

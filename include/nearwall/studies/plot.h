@@ -30,7 +30,7 @@ struct BarPlot {
 
 /// The plot as a complete SVG 1.1 document on a white ground, readable in light and dark viewers: fonts, colours and
 /// sizes are within, nothing is loaded.
-/// \throws InputError if there is nothing to show
+/// \throws InputError if there is nothing to show, or if a series has not as many bars as there are groups
 std::string to_svg(const LinePlot& plot);
 std::string to_svg(const BarPlot& plot);
 
