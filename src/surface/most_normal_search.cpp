@@ -22,6 +22,12 @@ constexpr double kEquallyNear = 1e-7;
 /// How far out of its zone a site may still hold a corner: corners on the border must not fall between two zones.
 constexpr double kZone = 1e-9;
 
+/// Less than what a corner surely gains over the best direction, and far more than rounding.
+constexpr double kLeastGain = 0.25 * kDistanceStep;
+
+/// Sweeps over the corners: two or three are usual; after so many the best direction found so far has to do.
+constexpr int kSweeps = 64;
+
 /// A computed cosine above another by this much belongs to a smaller angle.
 constexpr double kCosineRounding = 0x1p-50;
 
@@ -46,10 +52,10 @@ bool Search::is_in_zone(const Vec3& x, std::size_t q) const {
   return dot(x, ring_.arcs()[k].ahead) <= kZone && dot(x, ring_.arcs()[ring_.before(k)].beyond) >= -kZone;
 }
 
-/// Takes x as the best direction if it is better.
-bool Search::raise(const Vec3& x) {
+/// Takes x as the best direction if it is better by more than `gain`.
+bool Search::raise(const Vec3& x, double gain) {
   const Place place = ring_.place(x);
-  if (!place.is_inside || !is_less(best_.distance, place.distance)) return false;
+  if (!place.is_inside || !is_less(moved(best_.distance, gain), place.distance)) return false;
   best_ = {x, place.distance, place.site};
   top_.reset();
   return true;
@@ -75,12 +81,13 @@ bool Search::is_barred(std::size_t q, const Level& level, const Level& clear) co
   });
 }
 
-/// Calls `visit(x, i, j)` for the corners of the set of directions at least that far, i and j being the sites whose
-/// level circles meet at x, until it returns false. \returns whether it never did
+/// Calls `visit(x, i, j)` for the corners of the set of directions farther than the best one by `step`, i and j being
+/// the sites whose level circles meet at x, until it returns false. \returns whether it never did
 /// \param slack  what the other sites may be nearer
 template <class Visit>
-bool Search::visit_corners(const Distance& distance, double slack, Visit&& visit) {
-  const Level level(distance), clear(moved(distance, -slack));
+bool Search::visit_corners(double step, double slack, Visit&& visit) {
+  Distance reached = best_.distance;
+  Level level(moved(reached, step)), clear(moved(reached, step - slack));
   Scratch<std::size_t, 48> sites(n_sites());
   for (std::size_t i = 0; i < n_sites(); ++i) {
     if (!is_barred(number(i), level, clear)) sites.add(number(i));
@@ -93,6 +100,10 @@ bool Search::visit_corners(const Distance& distance, double slack, Visit&& visit
       for (const Vec3& x : at_level(a, site(j), level).all()) {
         if (!is_in_zone(x, i) || !is_in_zone(x, j) || !ring_.keeps_clear(x, clear, in_the_way_)) continue;
         if (!visit(x, i, j)) return false;
+        if (!is_less(reached, best_.distance)) continue;
+        reached = best_.distance;
+        level = Level(moved(reached, step)), clear = Level(moved(reached, step - slack));
+        break;
       }
     }
   }
@@ -120,24 +131,25 @@ bool Search::is_alone() {
   const Local& local = top_->local;
   const Distance& covered = local.positive.sine < local.negative.sine ? local.positive : local.negative;
   if (!(covered.sine > 2 * kNear)) return false;
-  return visit_corners(moved(best_.distance, -kTie), kDistanceStep, [&](const Vec3& x, std::size_t, std::size_t) {
+  return visit_corners(-kTie, kDistanceStep, [&](const Vec3& x, std::size_t, std::size_t) {
     return dot(x, best_.direction) > covered.cosine;
   });
 }
 
-/// Raises the best direction until nothing is better by kDistanceStep.
+/// Raises the best direction until nothing is better by kDistanceStep. A sweep over the corners goes on at the level
+/// that it has reached; the next one sees what that passed over.
 void Search::rise() {
+  const auto can_rise = [this] { return best_.distance.cosine > 2 * kDistanceStep; };
   bool is_higher = true;
-  while (is_higher && best_.distance.cosine > 2 * kDistanceStep) {
-    is_higher = !visit_corners(moved(best_.distance, kDistanceStep), 0.5 * kDistanceStep,
-                               [&](const Vec3& corner, std::size_t i, std::size_t j) {
-                                 bool is_raised = raise(unit_vector(corner));
-                                 visit_candidates(i, j, [&](const Vec3& x) {
-                                   const Level level(best_.distance);
-                                   if (ring_.keeps_clear(x, level, in_the_way_)) is_raised |= raise(x);
-                                 });
-                                 return !is_raised;
-                               });
+  for (int sweep = 0; is_higher && can_rise() && sweep < kSweeps; ++sweep) {
+    is_higher = false;
+    visit_corners(kDistanceStep, 0.5 * kDistanceStep, [&](const Vec3& corner, std::size_t i, std::size_t j) {
+      is_higher |= raise(unit_vector(corner), kLeastGain);
+      visit_candidates(i, j, [&](const Vec3& x) {
+        if (ring_.keeps_clear(x, Level(best_.distance), in_the_way_)) is_higher |= raise(x, kLeastGain);
+      });
+      return can_rise();
+    });
   }
 }
 
@@ -167,7 +179,7 @@ Candidate Search::nearest_to_most_visible() {
     if (place.is_inside && !is_less(place.distance, enough) && is_preferred(candidate, chosen)) chosen = candidate;
   };
   choose(ring_.most_visible());
-  visit_corners(enough, kDistanceStep, [&](const Vec3&, std::size_t i, std::size_t j) {
+  visit_corners(-kTie, kDistanceStep, [&](const Vec3&, std::size_t i, std::size_t j) {
     visit_candidates(i, j, choose);
     return true;
   });

@@ -58,7 +58,7 @@ class Search {
   Vec3 foot(const Vec3& x, std::size_t q) const;
   bool is_in_zone(const Vec3& x, std::size_t q) const;
 
-  bool raise(const Vec3& x);
+  bool raise(const Vec3& x, double gain = 0);
   bool raise_from(const Support& support);
   bool raise_from_any(const std::array<std::size_t, 3>& sites);
   /// Points of the support that are nearest to the best direction.
@@ -80,7 +80,7 @@ class Search {
 
   bool is_barred(std::size_t q, const Level& level, const Level& clear) const;
   template <class Visit>
-  bool visit_corners(const Distance& distance, double slack, Visit&& visit);
+  bool visit_corners(double step, double slack, Visit&& visit);
   template <class Visit>
   void visit_candidates(std::size_t i, std::size_t j, Visit&& visit) const;
   bool is_alone();

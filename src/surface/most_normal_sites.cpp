@@ -115,13 +115,20 @@ Directions on_circle(const Vec3& g, const Site& plane, const Site& vertex) {
 
 /// Directions equally far from three planes or three vertices, Eq. (9).
 Directions equally_far_from_equal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ab = squared_norm(a - b), bc = squared_norm(b - c), ca = squared_norm(c - a);
-  const double longest = std::max({ab, bc, ca});
+  const Vec3 ab = SumAndDifference(a, b).difference, bc = SumAndDifference(b, c).difference,
+             ca = SumAndDifference(c, a).difference;
+  const double longest = std::max({squared_norm(ab), squared_norm(bc), squared_norm(ca)});
   // The base between the two shortest edges makes the cross product sharpest.
-  const Vec3 axis = longest == ab ? cross(a - c, b - c) : longest == bc ? cross(b - a, c - a) : cross(c - b, a - b);
+  const Vec3 axis = longest == squared_norm(ab)   ? cross(bc, ca)
+                    : longest == squared_norm(bc) ? cross(ca, ab)
+                                                  : cross(ab, bc);
   Directions x;
   if (!(squared_norm(axis) > 0)) return x;
-  x.add(unit_vector(dot(axis, a) < 0 ? -axis : axis));
+  const Vec3 pole = unit_vector(axis);
+  const double height = dot(pole, a);
+  // Which end of the axis is a right angle away from vertices, or in a plane, is anybody's guess.
+  if (height > -kSamePlace) x.add(pole);
+  if (height < kSamePlace) x.add(-pole);
   return x;
 }
 
@@ -138,7 +145,7 @@ Directions equally_far(const Site& a, const Site& b, const Site& c) {
   const Site& other = a.is_vertex == b.is_vertex ? c : a.is_vertex == c.is_vertex ? b : a;
   const Site& first = &other == &a ? b : a;
   const Site& second = &other == &c ? b : c;
-  const Vec3 g = first.axis - second.axis;
+  const Vec3 g = SumAndDifference(first.axis, second.axis).difference;
   if (!(squared_norm(g) > 0)) return {};
   // An arc and its own end make the third equation exact.
   const bool has_second_end = second.is_end_of(other) || other.is_end_of(second);

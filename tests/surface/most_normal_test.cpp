@@ -139,6 +139,30 @@ TEST(MostNormalNormal, PassesOverFacesWithoutArea) {
   EXPECT_EQ(most_normal(doubled)->direction, most_normal(kConcaveBox)->direction);
 }
 
+TEST(MostNormalNormal, EndsWhereNeighboursAreOppositeButForRounding) {
+  // Nothing is farther from both than a right angle, and rounding raised the best distance again and again.
+  const Points ring = {
+      {0, 3, -1}, {0, 3, -1.28}, {0.4, 3, -2}, {0x1.ae35ea8b77e1ep-3, -0x1.96c445468fcb2p-2, -0x1.c9658722c490cp-1},
+      {1, 0, -1}, {0.6, -1, 1},  {1, 0, 1},    {-0x1.ae35ea8b77e1cp-3, 0x1.96c445468fcb2p-2, 0x1.c9658722c490cp-1}};
+  ASSERT_TRUE(most_normal(ring));
+  EXPECT_NEAR(most_normal(ring)->min_distance, kRightAngle, 1e-9);
+  const Points original = {
+      {0x1.329f27d64a898p-3, 0x1.8e01d8ab1a273p+1, -0x1.1c9e83d45fd36p-1},
+      {0x1.c1026dc0f9860p-6, 0x1.7225d61896d64p+1, -0x1.4786a0c889d25p+0},
+      {0x1.c984044bf17dcp-2, 0x1.4619b00c62fd7p+1, -0x1.d1bce2941e602p+0},
+      {0x1.ae35ea8b77e1ep-3, -0x1.96c445468fcb2p-2, -0x1.c9658722c490cp-1},
+      {0x1.1eabbff423070p+0, 0x1.d56a49aaa9bbep-2, -0x1.76ce5574cd58fp-1},
+      {0x1.36f79180e48c2p-1, -0x1.1b9c8a50be4dep+0, 0x1.4556d4ec7d0e8p-1},
+      {0x1.02bd754069c59p-1, 0x1.069a95bf0898dp-3, 0x1.b4e822315adefp-1},
+      {-0x1.ae35ea8b77e1cp-3, 0x1.96c445468fcb2p-2, 0x1.c9658722c490cp-1},
+  };
+  const auto normal = most_normal(original);
+  ASSERT_TRUE(normal);
+  Random random(6);
+  const rings::Arcs arcs(original, most_visible(original)->direction);
+  EXPECT_LE(static_cast<double>(arcs.best(random, 60, 6).second), normal->min_distance + 1e-9);
+}
+
 /// One kind of ring, from mild to wild.
 struct Kind {
   const char* name;
