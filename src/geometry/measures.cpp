@@ -1,6 +1,9 @@
 #include "nearwall/geometry/measures.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "nearwall/geometry/angles.h"
 
 namespace nearwall::geometry {
 
@@ -13,6 +16,10 @@ double det(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b)
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) { return norm(triangle_area_vector(a, b, c)); }
 
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) { return normalized(cross(b - a, c - a)); }
+
+double widest_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::max({corner_angle(a, b, c), corner_angle(b, c, a), corner_angle(c, a, b)});
+}
 
 double tetrahedron_volume(std::span<const Vec3, 4> p) { return det(p[1] - p[0], p[2] - p[0], p[3] - p[0]) / 6; }
 

@@ -1,11 +1,11 @@
 #include "studies/height_field.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <map>
 #include <utility>
 
-#include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/measures.h"
 #include "studies/random.h"
 #include "studies/test_functions.h"
 
@@ -90,8 +90,7 @@ class Trimming {
   double widest_corner(std::size_t i) const {
     std::array<Vec3, 3> t;
     for (std::size_t k = 0; k < 3; ++k) t[k] = {points_[triangles_[i][k]].x, points_[triangles_[i][k]].y, 0};
-    return std::max({geometry::corner_angle(t[0], t[1], t[2]), geometry::corner_angle(t[1], t[2], t[0]),
-                     geometry::corner_angle(t[2], t[0], t[1])});
+    return geometry::widest_corner(t[0], t[1], t[2]);
   }
 
   const std::vector<Point2>& points_;

@@ -1,9 +1,7 @@
 #include "surface/thin_faces.h"
 
-#include <algorithm>
-#include <array>
-
 #include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/measures.h"
 
 namespace nearwall::surface {
 
@@ -11,9 +9,9 @@ namespace {
 
 using mesh::Topology;
 
-double widest_corner(const std::array<Vec3, 3>& t) {
-  return std::max({geometry::corner_angle(t[0], t[1], t[2]), geometry::corner_angle(t[1], t[2], t[0]),
-                   geometry::corner_angle(t[2], t[0], t[1])});
+double widest_corner(const mesh::SurfaceMesh& surface, FaceId f) {
+  const auto [a, b, c] = surface.triangle(f);
+  return geometry::widest_corner(a, b, c);
 }
 
 bool is_on_boundary(const Topology& topology, FaceId f) {
@@ -36,7 +34,7 @@ std::vector<char> thin_boundary_faces(const mesh::SurfaceMesh& surface, const me
   while (!open.empty()) {
     const FaceId f = open.back();
     open.pop_back();
-    if ((!is_thin.empty() && is_thin[f.index()]) || widest_corner(surface.triangle(f)) <= thin_angle) continue;
+    if ((!is_thin.empty() && is_thin[f.index()]) || widest_corner(surface, f) <= thin_angle) continue;
     is_thin.resize(surface.faces.size(), 0);
     is_thin[f.index()] = 1;
     for (int k = 0; k < 3; ++k) {

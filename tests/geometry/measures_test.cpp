@@ -1,11 +1,14 @@
 #include "nearwall/geometry/measures.h"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "nearwall/geometry/angles.h"
 
 namespace nearwall::geometry {
 namespace {
@@ -39,6 +42,13 @@ TEST(TriangleMeasures, OfTheUnitRightTriangle) {
   EXPECT_EQ(triangle_area({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0.5);
   EXPECT_EQ(triangle_normal({0, 0, 0}, {0, 3, 0}, {4, 0, 0}), Vec3(0, 0, -1));
   EXPECT_EQ(triangle_normal({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), Vec3(0, 0, 0));
+}
+
+TEST(WidestCorner, IsAtWhicheverPointItLies) {
+  const Vec3 a{0, 0, 0}, b{2, 0, 0}, c{1, 0, 1 / std::sqrt(3.0)};
+  for (const double angle : {widest_corner(a, b, c), widest_corner(b, c, a), widest_corner(c, a, b)}) {
+    EXPECT_NEAR(angle, to_radians(120), 1e-15);
+  }
 }
 
 TEST(HexahedronVolume, IsTheIntegralOfTheJacobian) {

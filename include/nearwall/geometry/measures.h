@@ -15,6 +15,9 @@ double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Unit normal; zero for a triangle without area.
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Largest interior angle of a triangle [rad], in [0, pi].
+double widest_corner(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Volumes of the elements' maps (tetrahedra linear, wedge faces and pyramid bases bilinear, hexahedra trilinear),
 /// that is the integral of det J over the reference element. Positive for the node order of predicates/cells.h: bottom
 /// face counterclockwise seen from the top (or apex), then the top. Source: docs/theory/cells.md.
