@@ -1,7 +1,8 @@
 #include "nearwall/studies/bohdal.h"
 
 #include <cmath>
-#include <optional>
+
+#include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
@@ -52,7 +53,8 @@ Normals fitted_normals(const Graph& graph, surface::Fit fit, int n_rings, double
 }
 
 Normals network_normals(const Graph& graph) {
-  return surface::minimum_norm_network_normals(graph.mesh, graph.topology, Normals(graph.mesh.points.size(), kUp));
+  const Normals axes(graph.mesh.points.size(), kUp);
+  return surface::minimum_norm_network_normals(graph.mesh, graph.topology, axes).direction;
 }
 
 bool trims_plane(BohdalRemoval removal) {
@@ -71,8 +73,9 @@ surface::NormalOptions options_of(surface::NormalMethod method, BohdalRemoval re
 
 Normals estimated(const BohdalMethod& method, BohdalRemoval removal, const Graph& graph, double& fallback_percent) {
   if (method.method == surface::NormalMethod::Nielson) return network_normals(graph);
-  if (const auto fit = surface::fit_of(method.method))
+  if (const auto fit = surface::fit_of(method.method)) {
     return fitted_normals(graph, *fit, method.n_rings, fallback_percent);
+  }
   return weighted_normals(graph, options_of(method.method, removal));
 }
 
@@ -141,13 +144,24 @@ std::vector<Point2> true_gradients(const HeightField& field) {
   return gradients;
 }
 
+void check_function(int function) {
+  if (function < 1 || function > kTestFunctions) {
+    throw InputError(fmt::format("study bohdal: expected a function 1 to {}, found {}", kTestFunctions, function));
+  }
+}
+
+void check_points(std::size_t n_points) {
+  constexpr std::size_t kFewestPoints = 4;
+  if (n_points < kFewestPoints) {
+    throw InputError(fmt::format("study bohdal: expected at least {} points, found {}", kFewestPoints, n_points));
+  }
+}
+
 }  // namespace
 
 BohdalErrors bohdal_errors(int function, std::size_t n_points, std::uint64_t seed) {
-  constexpr std::size_t kFewestPoints = 4;
-  if (function < 1 || function > kTestFunctions || n_points < kFewestPoints) {
-    throw InputError("study bohdal: expected a function 1 to 9 and at least 4 points");
-  }
+  check_function(function);
+  check_points(n_points);
   const HeightField field = height_field(function, n_points, seed);
   const Graph whole(field, field.triangles);
   const Graph trimmed(field, without_thin_boundary(field.points, field.triangles, kWidestCorner));
@@ -180,6 +194,7 @@ BohdalErrors bohdal_errors(int function, std::size_t n_points, std::uint64_t see
 
 std::array<double, kBohdalMethods.size()> bohdal_seconds(std::size_t n_points, std::uint64_t seed) {
   constexpr int kRepetitions = 5;
+  check_points(n_points);
   const ThreadLimit one_thread(1);
   const HeightField field = height_field(1, n_points, seed);
   const Graph graph(field, field.triangles);

@@ -1,21 +1,25 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/studies/bohdal.h"
 #include "nearwall/studies/plot.h"
+#include "studies/repetitions.h"
+#include "studies/test_functions.h"
 
 namespace nearwall::studies {
 
 namespace {
 
 constexpr std::array<std::size_t, 4> kSizes = {4900, 2500, 900, 100};  // the largest first, for the threads' sake
-constexpr int kFunctions = 9;
-constexpr std::size_t kMeshes = kSizes.size() * kFunctions;
+constexpr std::size_t kMeshes = kSizes.size() * kTestFunctions;
 constexpr std::size_t kMethods = kBohdalMethods.size();
 
 /// Errors of one set of 36 meshes, or of several sets one after the other.
@@ -24,7 +28,7 @@ using Errors = std::vector<BohdalErrors>;
 Errors errors_of_set(std::uint64_t seed) {
   Errors errors(kMeshes);
   parallel_blocks(kMeshes, 1, [&](std::size_t i, std::size_t) {
-    errors[i] = bohdal_errors(static_cast<int>(i % kFunctions) + 1, kSizes[i / kFunctions], seed);
+    errors[i] = bohdal_errors(static_cast<int>(i % kTestFunctions) + 1, kSizes[i / kTestFunctions], seed);
   });
   return errors;
 }
@@ -112,11 +116,11 @@ Table removal_table(const Errors& all) {
 Table function_table(const Errors& all) {
   Table table{.title = "By function: geometric means over the numbers of points, RMSE of the normals [degrees]",
               .row_title = "method"};
-  for (int f = 1; f <= kFunctions; ++f) table.columns.push_back(fmt::format("f{}", f));
+  for (int f = 1; f <= kTestFunctions; ++f) table.columns.push_back(fmt::format("f{}", f));
   table.columns.push_back("without f7, f8");
   for (std::size_t m = 0; m < kMethods; ++m) {
     Table::Row row{name_of(m), {}};
-    for (int f = 1; f <= kFunctions; ++f) row.values.push_back(geometric_mean(all, normals_of(m), of_function(f)));
+    for (int f = 1; f <= kTestFunctions; ++f) row.values.push_back(geometric_mean(all, normals_of(m), of_function(f)));
     row.values.push_back(
         geometric_mean(all, normals_of(m), [](const auto& e) { return e.function < 7 || e.function > 8; }));
     table.rows.push_back(row);
@@ -142,7 +146,7 @@ Table size_table(const Errors& all) {
 Table mesh_table(const std::string& title, const Errors& all, const std::function<Value(std::size_t)>& value_of) {
   Table table{.title = title, .row_title = "mesh"};
   for (const std::size_t m : methods_of_paper()) table.columns.push_back(name_of(m));
-  for (int f = 1; f <= kFunctions; ++f) {
+  for (int f = 1; f <= kTestFunctions; ++f) {
     for (auto n = kSizes.rbegin(); n != kSizes.rend(); ++n) {
       const auto is_mesh = [&](const BohdalErrors& e) { return e.function == f && e.n_points == *n; };
       Table::Row row{fmt::format("f{}, {}", f, *n), {}};
@@ -215,10 +219,10 @@ Picture size_plot(const Errors& all) {
 Picture function_plot(const std::string& file, const std::string& title, const std::string& y_label, const Errors& all,
                       const std::function<Value(std::size_t)>& value_of) {
   BarPlot plot{.title = title, .y_label = y_label, .is_log_y = true};
-  for (int f = 1; f <= kFunctions; ++f) plot.groups.push_back(fmt::format("f{}", f));
+  for (int f = 1; f <= kTestFunctions; ++f) plot.groups.push_back(fmt::format("f{}", f));
   for (const std::size_t m : methods_of_paper()) {
     std::vector<double> bars;
-    for (int f = 1; f <= kFunctions; ++f) bars.push_back(geometric_mean(all, value_of(m), of_function(f)));
+    for (int f = 1; f <= kTestFunctions; ++f) bars.push_back(geometric_mean(all, value_of(m), of_function(f)));
     plot.series.emplace_back(name_of(m), bars);
   }
   return {file, title, to_svg(plot)};
@@ -244,7 +248,7 @@ Picture removal_plot(const Errors& all) {
 }  // namespace
 
 Report study_bohdal(const BohdalOptions& options, ProgressSink& progress) {
-  if (options.repetitions < 1) throw InputError("study bohdal: expected at least 1 repetition");
+  check_repetitions("bohdal", options.repetitions);
   std::vector<Errors> sets;
   Errors all;
   progress.begin_stage("height fields");

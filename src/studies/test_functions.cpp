@@ -1,5 +1,6 @@
 #include "studies/test_functions.h"
 
+#include <array>
 #include <numbers>
 
 #include "nearwall/core/expect.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "studies/jet.h"
 
 namespace nearwall::studies {

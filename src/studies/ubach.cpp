@@ -4,9 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/arctangent.h"
 #include "studies/random.h"
 
 namespace nearwall::studies {
@@ -15,6 +18,7 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;  // samples from one random stream
 constexpr int kFewestFaces = 3, kMostFaces = 64;
+constexpr double kMostCurvature = 1e50;  // products of four lengths stay finite
 
 /// A random surface z(x, y) through the origin, where its normal is the z axis; equation (22).
 class Cubic {
@@ -71,7 +75,7 @@ Sums sums_of_block(double max_curvature, int n_faces, std::size_t n_samples, Ran
     for (std::size_t w = 0; w < kUbachWeights.size(); ++w) {
       const Vec3 n = surface::weighted_normal(kUbachWeights[w], Vec3(), ring);
       // Not the arc cosine: it loses all digits at 1e-5 degrees.
-      const double error = geometry::to_degrees(std::atan2(std::hypot(n.x(), n.y()), n.z()));
+      const double error = geometry::to_degrees(geometry::angle_from(std::hypot(n.x(), n.y()), n.z()));
       sums.squares[w] += error * error;
       sums.fourth_powers[w] += error * error * error * error;
     }
@@ -85,13 +89,22 @@ std::uint64_t cell_number(double max_curvature, int n_faces) {
   return static_cast<std::uint64_t>(at - kUbachCurvatures.begin()) * kMostFaces + static_cast<std::uint64_t>(n_faces);
 }
 
+void check(double max_curvature, int n_faces, const UbachOptions& options) {
+  if (options.samples == 0) throw InputError("study ubach: expected at least 1 sample, found 0");
+  if (n_faces < kFewestFaces || n_faces > kMostFaces) {
+    throw InputError(fmt::format("study ubach: expected {} to {} triangles round the point, found {}", kFewestFaces,
+                                 kMostFaces, n_faces));
+  }
+  if (!(max_curvature > 0 && max_curvature <= kMostCurvature)) {
+    throw InputError(fmt::format("study ubach: expected a curvature of more than 0 and at most {:g}, found {:g}",
+                                 kMostCurvature, max_curvature));
+  }
+}
+
 }  // namespace
 
 UbachCell ubach_cell(double max_curvature, int n_faces, const UbachOptions& options) {
-  if (options.samples == 0) throw InputError("study ubach: expected at least 1 sample, found 0");
-  if (n_faces < kFewestFaces || n_faces > kMostFaces) {
-    throw InputError("study ubach: expected 3 to 64 triangles round the point");
-  }
+  check(max_curvature, n_faces, options);
   const std::uint64_t first_stream = cell_number(max_curvature, n_faces) << 32;
   std::vector<Sums> blocks((options.samples + kBlock - 1) / kBlock);
   parallel_blocks(options.samples, kBlock, [&](std::size_t begin, std::size_t end) {

@@ -24,6 +24,17 @@ std::size_t number_of(std::string_view name) {
   return static_cast<std::size_t>(at - kBohdalMethods.begin());
 }
 
+/// What the message of an InputError says; empty if there is none.
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// One set of 36 meshes.
 std::vector<BohdalErrors> errors_of_set(std::uint64_t seed) {
   constexpr std::array<std::size_t, 4> kSizes = {4900, 2500, 900, 100};
@@ -77,9 +88,15 @@ TEST(BohdalStudy, FitsMakeBetterInterpolantsThanAreas) {
 }
 
 TEST(BohdalErrorsOfAMesh, RefuseWhatIsNoMesh) {
-  EXPECT_THROW(bohdal_errors(0, 100, 1), InputError);
-  EXPECT_THROW(bohdal_errors(10, 100, 1), InputError);
-  EXPECT_THROW(bohdal_errors(1, 3, 1), InputError);
+  EXPECT_EQ(refusal([] { bohdal_errors(0, 100, 1); }), "study bohdal: expected a function 1 to 9, found 0");
+  EXPECT_EQ(refusal([] { bohdal_errors(10, 100, 1); }), "study bohdal: expected a function 1 to 9, found 10");
+  EXPECT_EQ(refusal([] { bohdal_errors(1, 3, 1); }), "study bohdal: expected at least 4 points, found 3");
+  EXPECT_EQ(refusal([] { bohdal_seconds(3, 1); }), "study bohdal: expected at least 4 points, found 3");
+}
+
+TEST(BohdalStudy, RefusesToRepeatNothing) {
+  EXPECT_EQ(refusal([] { study_bohdal({.repetitions = 0}, silent_progress()); }),
+            "study bohdal: expected at least 1 repetition, found 0");
 }
 
 TEST(HeightField, DiffersByFunctionAndSeed) {

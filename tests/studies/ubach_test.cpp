@@ -94,6 +94,17 @@ TEST(UbachStudy, DependsOnTheSeed) {
 TEST(UbachStudy, RefusesWhatItCannotSample) {
   EXPECT_THROW(ubach_cell(1, 6, {.samples = 0}), InputError);
   EXPECT_THROW(ubach_cell(1, 2, {}), InputError);
+  EXPECT_THROW(ubach_cell(1, 65, {}), InputError);
+  for (const double curvature : {std::nan(""), HUGE_VAL, -1.0, 0.0}) {
+    EXPECT_THROW(ubach_cell(curvature, 6, {}), InputError) << curvature;
+  }
+}
+
+TEST(UbachStudy, SamplesAllItAllows) {
+  for (const double curvature : {1e-50, 1e50}) {
+    const UbachCell cell = ubach_cell(curvature, 64, {.samples = 10});
+    for (const double rmse : cell.rmse_deg) EXPECT_TRUE(rmse > 0 && rmse < 180) << curvature << ' ' << rmse;
+  }
 }
 
 TEST(TorusStudy, MaxIsBetterAtMostNodesOfEveryMesh) {

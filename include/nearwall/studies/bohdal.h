@@ -78,6 +78,7 @@ BohdalErrors bohdal_errors(int function, std::size_t n_points, std::uint64_t see
 
 /// Processor time for the normals at all points of a mesh of f1, without triangulation and adjacency: median of a few
 /// repetitions on one thread [seconds], for each method.
+/// \throws InputError if there are fewer than 4 points
 std::array<double, kBohdalMethods.size()> bohdal_seconds(std::size_t n_points, std::uint64_t seed);
 
 struct BohdalOptions {

@@ -47,7 +47,8 @@ struct UbachCell {
 /// One cell of the study: z = A x² + B xy + C y² + D x³ + E x²y + F xy² + G y³ with coefficients uniform in
 /// (-k_max, k_max), round the origin `n_faces` points with r uniform in (0, 1] and polar angles uniform in [0, 2 pi),
 /// draws with a gap of more than pi rejected (Ubach et al. 2013, section 3).
-/// \throws InputError if an option or `n_faces` < 3 is out of range
+/// \param max_curvature  k_max, > 0 and <= 1e50    \param n_faces  n_p, 3 to 64
+/// \throws InputError if an argument or an option is out of range
 /// The same bits at any number of threads. Cost: O(samples * n_faces), on all threads.
 UbachCell ubach_cell(double max_curvature, int n_faces, const UbachOptions& options);
 
