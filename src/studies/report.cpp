@@ -6,6 +6,9 @@
 
 namespace nearwall::studies {
 
+namespace {
+
+/// A number as in tables: four digits, "–" for NaN.
 std::string shown(double value) {
   constexpr double kManyDigits = 1e3;  // from here on, four digits leave no room for a point
   if (std::isnan(value)) return "–";
@@ -16,6 +19,8 @@ std::string shown(double value) {
   if (text.back() == '.') text.pop_back();
   return text;
 }
+
+}  // namespace
 
 std::string to_markdown(const Table& table) {
   std::string out = fmt::format("{}\n\n| {} |", table.title, table.row_title);
@@ -31,11 +36,11 @@ std::string to_markdown(const Table& table) {
   return out;
 }
 
-std::string to_markdown(const Report& report, const std::string& picture_folder) {
+std::string to_markdown(const Report& report) {
   std::string out = fmt::format("# Study {}\n\n{}\n", report.name, report.settings);
   for (const Table& table : report.tables) out += "\n" + to_markdown(table);
   for (const Picture& picture : report.pictures) {
-    out += fmt::format("\n![{}]({}{})\n", picture.title, picture_folder, picture.file);
+    out += fmt::format("\n![{}]({})\n", picture.title, picture.file);
   }
   return out;
 }

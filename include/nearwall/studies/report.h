@@ -32,14 +32,10 @@ struct Report {
   std::vector<Picture> pictures = {};
 };
 
-/// The table as Markdown, numbers with four digits.
+/// The table as Markdown, numbers with four digits, "–" for NaN.
 std::string to_markdown(const Table& table);
 
-/// Settings, tables and references to the pictures as Markdown.
-/// \param picture_folder  before the names of the pictures, such as "../images/"; empty: beside the text
-std::string to_markdown(const Report& report, const std::string& picture_folder = "");
-
-/// A number as in tables: four digits, "–" for NaN.
-std::string shown(double value);
+/// Settings, tables and references to the pictures, which lie beside the text, as Markdown.
+std::string to_markdown(const Report& report);
 
 }  // namespace nearwall::studies
