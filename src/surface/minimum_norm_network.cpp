@@ -1,11 +1,14 @@
 #include "nearwall/surface/minimum_norm_network.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "nearwall/core/errors.h"
@@ -28,6 +31,13 @@ constexpr double kVertical = 0x1p-20;
 /// other.
 constexpr double kOneDirection = 0x1p-40;
 
+/// Part of the longest edge over an edge's length above which the edge is left out, as if its ends were one point:
+/// squares of its energy would leave the range of doubles.
+constexpr double kLargestWeight = 0x1p500;
+
+/// Steps of the iteration, some four times as many as Eq. (14) asks for.
+constexpr int kMostSteps = 100;
+
 /// What an end's slopes do to the slope of an edge relative to its chord: p . slopes + q; Eq. (11).
 struct End {
   Vector2d p;
@@ -48,6 +58,8 @@ double unit_length(const mesh::SurfaceMesh& surface) {
     const Vec3 &pa = surface.points[a], &pb = surface.points[b], &pc = surface.points[c];
     largest = std::max({largest, max_norm(pb - pa), max_norm(pc - pb), max_norm(pa - pc)});
   }
+  if (!std::isfinite(largest))
+    throw InputError("minimum_norm_network_normals: an edge is longer than doubles can hold");
   return power_above(largest);
 }
 
@@ -56,13 +68,14 @@ class Network {
  public:
   Network(const mesh::SurfaceMesh& surface, const Topology& topology, const IdVector<VertexId, Vec3>& axes);
 
-  IdVector<VertexId, Vec3> normals() const;
+  NetworkNormals normals() const;
 
  private:
   TangentFrame frame_at(VertexId v, const Vec3& axis) const;
   void add_edge(VertexId v, VertexId w);
   void make_blocks();
   Eigen::VectorXd solved() const;
+  bool has_slopes(VertexId v) const { return factors_[v](0, 0) > 0; }
 
   const mesh::SurfaceMesh& surface_;
   const Topology& topology_;
@@ -105,12 +118,14 @@ void Network::add_edge(VertexId v, VertexId w) {
   const Vec3 n = normalized(sum), along = normalized(d), flat = along - n * dot(along, n);
   if (!(norm(flat) > kVertical)) return;
   const Vec3 u = normalized(flat);
+  const double weight = unit_ / dot(d, u);
+  if (!(weight < kLargestWeight)) return;
   const double chord_slope = dot(along, n) / dot(along, u);
   const auto end = [&](const TangentFrame& frame) {
     const double up = dot(frame.n, n);
     return End{Vector2d(dot(frame.t1, u), dot(frame.t2, u)) / up, -dot(frame.n, u) / up - chord_slope};
   };
-  edges_.push_back({v, w, end(fv), end(fw), unit_ / dot(d, u)});
+  edges_.push_back({v, w, end(fv), end(fw), weight});
 }
 
 /// A vertex' own part of the energy, a 2 x 2 block, as the sum of two squares; Eq. (13).
@@ -132,7 +147,9 @@ void Network::make_blocks() {
 /// 25 steps.
 Eigen::VectorXd Network::solved() const {
   const auto size = static_cast<Eigen::Index>(2 * frames_.size());
-  std::vector<Eigen::Triplet<double>> entries;
+  // Some 26 entries a vertex: 32 bits would number those of 82 million vertices.
+  using Index = std::int64_t;
+  std::vector<Eigen::Triplet<double, Index>> entries;
   entries.reserve(2 * frames_.size() + 8 * edges_.size());
   for (Eigen::Index i = 0; i < size; ++i) entries.emplace_back(i, i, 1.0);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
@@ -149,31 +166,40 @@ Eigen::VectorXd Network::solved() const {
       }
     }
   }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(size, size);
+  Eigen::SparseMatrix<double, Eigen::RowMajor, Index> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::ConjugateGradient<decltype(matrix), Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner> solver(matrix);
-  return solver.solve(right);
+  solver.setMaxIterations(kMostSteps);
+  const Eigen::VectorXd unknowns = solver.solve(right);
+  if (solver.info() == Eigen::Success) return unknowns;
+  throw InternalError(fmt::format("minimum_norm_network_normals: not solved after {} steps, relative residual {:.2e}",
+                                  solver.iterations(), solver.error()));
 }
 
-IdVector<VertexId, Vec3> Network::normals() const {
+NetworkNormals Network::normals() const {
   const Eigen::VectorXd unknowns = solved();
-  IdVector<VertexId, Vec3> normals(frames_.size());
-  for (const VertexId v : normals.ids()) {
+  NetworkNormals normals{IdVector<VertexId, Vec3>(frames_.size()), IdVector<VertexId, char>(frames_.size())};
+  for (const VertexId v : frames_.ids()) {
     const Vector2d slopes = factors_[v].transpose() * unknowns.segment<2>(2 * Eigen::Index{v.index()});
-    normals[v] = normal_of_slopes(frames_[v], slopes[0], slopes[1]);
+    normals.direction[v] = normal_of_slopes(frames_[v], slopes[0], slopes[1]);
+    normals.is_axis[v] = !has_slopes(v);
   }
   return normals;
 }
 
 }  // namespace
 
-IdVector<VertexId, Vec3> minimum_norm_network_normals(const mesh::SurfaceMesh& surface, const Topology& topology,
-                                                      const IdVector<VertexId, Vec3>& axes) {
+NetworkNormals minimum_norm_network_normals(const mesh::SurfaceMesh& surface, const Topology& topology,
+                                            const IdVector<VertexId, Vec3>& axes) {
   expect(surface.points.size() == topology.n_vertices() && axes.size() == topology.n_vertices(),
          "minimum_norm_network_normals: surface, topology and axes are of the same mesh");
   for (const VertexId v : axes.ids()) {
-    if (is_finite(axes[v]) && is_finite(surface.points[v])) continue;
-    throw InputError("normals: vertex " + std::to_string(v.index()) + " or its axis is not finite");
+    const Vec3 &axis = axes[v], &p = surface.points[v];
+    if (is_finite(axis) && is_finite(p)) continue;
+    throw InputError(
+        fmt::format("minimum_norm_network_normals: expected finite points and axes, found vertex {} at ({}, {}, {}) "
+                    "with the axis ({}, {}, {})",
+                    v.index(), p.x(), p.y(), p.z(), axis.x(), axis.y(), axis.z()));
   }
   return Network(surface, topology, axes).normals();
 }

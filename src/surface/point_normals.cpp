@@ -34,10 +34,12 @@ IdVector<VertexId, PointNormal> network_normals(const FanSource& source) {
   IdVector<VertexId, Vec3> axes(source.surface.points.size());
   for_each_vertex(source,
                   [&](VertexId v, FanNormals& fans) { axes[v] = fans.mean(Weight::Max, v, source.topology.fan(v)); });
-  const auto directions = minimum_norm_network_normals(source.surface, source.topology, axes);
+  const NetworkNormals network = minimum_norm_network_normals(source.surface, source.topology, axes);
   IdVector<VertexId, PointNormal> normals(axes.size());
-  for_each_vertex(
-      source, [&](VertexId v, FanNormals& fans) { normals[v] = fans.judge(directions[v], source.topology.fan(v)); });
+  for_each_vertex(source, [&](VertexId v, FanNormals& fans) {
+    normals[v] = fans.judge(network.direction[v], source.topology.fan(v));
+    normals[v].is_fallback = network.is_axis[v] != 0;
+  });
   return normals;
 }
 

@@ -7,13 +7,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
+#include "nearwall/surface/features.h"
+#include "nearwall/surface/point_normals.h"
 #include "tests/support/shapes.h"
 #include "tests/surface/fans.h"
 #include "tests/surface/long_system.h"
@@ -26,7 +30,7 @@ using fans::Random;
 using Normals = IdVector<VertexId, Vec3>;
 
 Normals network(const mesh::SurfaceMesh& surface, const Normals& axes) {
-  return minimum_norm_network_normals(surface, mesh::Topology(surface), axes);
+  return minimum_norm_network_normals(surface, mesh::Topology(surface), axes).direction;
 }
 
 double wave(double x, double y) { return 0.4 * std::sin(2 * x + y) + 0.3 * std::cos(3 * y - x); }
@@ -224,9 +228,40 @@ TEST(MinimumNormNetwork, KeepsTheAxisWhereEdgesLeaveTheTangentPlaneOpen) {
     shapes::add_face(surface, {first, first + 1, first + 2});
   }
   const Vec3 axis(0, 0, 2);
-  const Normals normals = network(surface, all_along(surface, axis));
-  for (std::size_t i = alone.index(); i < normals.size(); ++i) EXPECT_EQ(normals[VertexId(i)], Vec3(0, 0, 1)) << i;
-  EXPECT_NE(normals[VertexId(0)], Vec3(0, 0, 1));
+  const NetworkNormals normals =
+      minimum_norm_network_normals(surface, mesh::Topology(surface), all_along(surface, axis));
+  for (const VertexId v : surface.points.ids()) {
+    const bool is_open = v.index() >= alone.index();
+    EXPECT_EQ(normals.is_axis[v] != 0, is_open) << v.index();
+    EXPECT_EQ(normals.direction[v] == Vec3(0, 0, 1), is_open) << v.index();
+  }
+}
+
+TEST(MinimumNormNetwork, LeavesOutEdgesTooShortForTheirEnergy) {
+  // The last vertex is the first but for 1e-300 of the other edges.
+  const auto surface = shapes::make_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, -1}, {-1, 0, 0}, {0, -1e-300, 0}},
+                                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}});
+  const Vec3 z(0, 0, 1), expected = normalized(Vec3(0, 1, 1));
+  const NetworkNormals normals = minimum_norm_network_normals(surface, mesh::Topology(surface), all_along(surface, z));
+  for (const std::size_t v : {0, 1, 2, 3}) {
+    EXPECT_LT(angle(normals.direction[VertexId(v)], expected), 1e-14) << v;
+    EXPECT_FALSE(normals.is_axis[VertexId(v)]) << v;
+  }
+  EXPECT_EQ(normals.direction[VertexId(4)], z);  // the edges left to it are on one line
+  EXPECT_TRUE(normals.is_axis[VertexId(4)]);
+}
+
+TEST(MinimumNormNetwork, MakesPointNormalsTellWhereTheAxisStandsIn) {
+  // All edges of the second triangle have one direction, up to 1e-7.
+  const auto surface = shapes::make_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 0, 0}, {4, 0, 0}, {5, 1e-7, 0}},
+                                            {{0, 1, 2}, {3, 4, 5}});
+  const mesh::Topology topology(surface);
+  const NormalOptions options{.method = NormalMethod::Nielson, .thin_angle = std::numbers::pi};
+  const auto normals = point_normals(surface, topology, find_features(surface, topology), options);
+  for (const VertexId v : normals.ids()) {
+    EXPECT_EQ(normals[v].is_fallback, v.index() >= 3) << v.index();
+    EXPECT_LT(distance(normals[v].direction, {0, 0, 1}), 1e-9) << v.index();
+  }
 }
 
 TEST(MinimumNormNetwork, LeavesEdgesAlongTheAxisOut) {
@@ -261,14 +296,28 @@ TEST(MinimumNormNetwork, GivesUnitVectorsOnTheAxesSideWhateverTheAxes) {
   }
 }
 
-TEST(MinimumNormNetwork, RefusesWhatIsNotFinite) {
+/// What the refusal says; nothing if there is none.
+std::string refusal(const mesh::SurfaceMesh& surface, const Normals& axes) {
+  try {
+    network(surface, axes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(MinimumNormNetwork, RefusesWhatIsNotFiniteAndSaysWhere) {
   auto surface = shapes::octahedron();
   Normals axes = area_normals(surface);
-  axes[VertexId(3)][1] = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(network(surface, axes), InputError);
+  axes[VertexId(3)] = {0.5, std::numeric_limits<double>::infinity(), 2};
+  EXPECT_NE(refusal(surface, axes).find("found vertex 3 at"), std::string::npos);
+  EXPECT_NE(refusal(surface, axes).find("axis (0.5, inf, 2)"), std::string::npos);
   axes = area_normals(surface);
-  surface.points[VertexId(2)][0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(network(surface, axes), InputError);
+  surface.points[VertexId(2)] = {std::numeric_limits<double>::quiet_NaN(), 0.25, 4};
+  EXPECT_NE(refusal(surface, axes).find("found vertex 2 at (nan, 0.25, 4)"), std::string::npos);
+  surface.points[VertexId(2)] = {1e308, 1e308, 1e308};
+  surface.points[VertexId(4)] = {-1e308, -1e308, -1e308};
+  EXPECT_NE(refusal(surface, axes).find("longer than doubles"), std::string::npos);
 }
 
 }  // namespace
