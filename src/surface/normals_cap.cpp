@@ -142,19 +142,12 @@ Farthest farthest_from(const Vec3& centre, std::span<const Vec3> units) {
   return found;
 }
 
-/// The vector farthest from the mean of all: it, or one near it, is on the rim.
-Farthest first_of(std::span<const Vec3> units) {
-  Vec3 sum;
-  for (const Vec3& unit : units) sum += unit;
-  const double size = norm(sum);
-  return farthest_from(size > 0 ? sum / size : units[0], units);
-}
-
 }  // namespace
 
 Cap smallest_cap(std::span<const Vec3> units) {
   ActiveSet set;
-  const std::size_t first = first_of(units).index;
+  // The vector farthest from any other is on the rim, or near it.
+  const std::size_t first = farthest_from(units[0], units).index;
   set.add(units[first], first);
   Cap cap{units[first], std::numeric_limits<double>::infinity(), set.index, 1};
   double lower_bound = 0;  // squared chord of the active set's own smallest cap

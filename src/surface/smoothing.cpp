@@ -114,20 +114,15 @@ class Mover {
 
   /// The direction itself where nothing sees all of its neighbours' directions.
   Vec3 most_visible(const Vec3& own, std::span<const VertexId> neighbours, const IdVector<VertexId, Vec3>& directions) {
-    if (room_.size() < neighbours.size()) room_.resize(neighbours.size());
-    const std::span<Vec3> round(room_.data(), neighbours.size());
     Vec3 sum;
-    for (std::size_t k = 0; k < round.size(); ++k) {
-      round[k] = directions[neighbours[k]];
-      sum += round[k];
-    }
-    if (sum != Vec3{}) {
-      const Vec3 middle = unit_vector(sum);
-      double least_cosine = 1.0;
-      for (const Vec3& direction : round) least_cosine = std::min(least_cosine, dot(direction, middle));
-      if (least_cosine > options_.trigger) return middle;
-    }
-    const Vec3 best = search(round);
+    for (const VertexId v : neighbours) sum += directions[v];
+    const double size = norm(sum);
+    double least = size;
+    for (const VertexId v : neighbours) least = std::min(least, dot(directions[v], sum));
+    if (least > options_.trigger * size) return sum / size;
+    if (room_.size() < neighbours.size()) room_.resize(neighbours.size());
+    for (std::size_t k = 0; k < neighbours.size(); ++k) room_[k] = directions[neighbours[k]];
+    const Vec3 best = search({room_.data(), neighbours.size()});
     return best != Vec3{} ? best : own;
   }
 
