@@ -114,12 +114,14 @@ bool Search::visit_corners(double step, double slack, Visit&& visit) {
 template <class Visit>
 void Search::visit_candidates(std::size_t i, std::size_t j, Visit&& visit) const {
   const Site a = site(i), b = site(j);
-  for (const Vec3& x : farthest_of_pair(a, b, ring_.most_visible()).all()) visit(x);
+  if (i != j)
+    for (const Vec3& x : farthest_of_pair(a, b, ring_.most_visible()).all()) visit(x);
   for (std::size_t third = 0; third < n_sites(); ++third) {
     const std::size_t k = number(third);
     if (k == i || k == j) continue;
     const Site c = site(k);
-    for (const Vec3& x : equally_far(a, b, c).all()) visit(x);
+    if (i != j)
+      for (const Vec3& x : equally_far(a, b, c).all()) visit(x);
     for (const Vec3& x : farthest_of_pair(a, c, ring_.most_visible()).all()) visit(x);
     for (const Vec3& x : farthest_of_pair(b, c, ring_.most_visible()).all()) visit(x);
   }
@@ -153,35 +155,66 @@ void Search::rise() {
   }
 }
 
-/// Whether a is to be preferred to b, both being as good as any.
-bool Search::is_preferred(const Candidate& a, const Candidate& b) const {
-  if (norm(a.direction - b.direction) < kNear) {
-    const double gain = a.distance.sine * b.distance.cosine - a.distance.cosine * b.distance.sine;
-    if (std::abs(gain) > kDistanceStep) return gain > 0;
-  }
-  const double nearer = distance(b.direction, ring_.most_visible()) - distance(a.direction, ring_.most_visible());
+/// Whether x is to be preferred to y, both being as good as any.
+bool Search::is_nearer_to_most_visible(const Vec3& x, const Vec3& y) const {
+  const double nearer = distance(y, ring_.most_visible()) - distance(x, ring_.most_visible());
   if (std::abs(nearer) > kEquallyNear) return nearer > 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double ahead = a.direction[axis] - b.direction[axis];
+    const double ahead = x[axis] - y[axis];
     if (std::abs(ahead) > kEquallyNear) return ahead > 0;
   }
   return false;
 }
 
-Candidate Search::nearest_to_most_visible() {
-  Candidate chosen = best_;
+/// The direction of a site's level circle that is nearest to the most visible normal; zero if all are.
+Vec3 Search::nearest_at(std::size_t q, const Level& level) const {
+  const Site a = site(q);
+  const Vec3 aside = ring_.most_visible() - a.axis * dot(a.axis, ring_.most_visible());
+  if (!(squared_norm(aside) > 0)) return {};
+  return a.axis * (a.is_vertex ? level.cosine : level.sine) +
+         unit_vector(aside) * (a.is_vertex ? level.sine : level.cosine);
+}
+
+/// Of the set of directions as good as the best one the nearest to the most visible normal: that itself, or a point of
+/// the set's border nearer than those about it.
+Search::Preferred Search::preferred() {
   const Distance enough = moved(best_.distance, -kTie);
-  const Level level(enough);
-  const auto choose = [&](const Vec3& x) {
-    if (!ring_.keeps_clear(x, level, in_the_way_)) return;
-    const Place place = ring_.place(x);
-    const Candidate candidate{x, place.distance, place.site};
-    if (place.is_inside && !is_less(place.distance, enough) && is_preferred(candidate, chosen)) chosen = candidate;
+  const Level level(enough), clear(moved(enough, -kDistanceStep));
+  const std::size_t any = number(0);
+  Preferred nearest{best_.direction, any, any};
+  const auto choose = [&](const Vec3& x, std::size_t i, std::size_t j) {
+    if (is_nearer_to_most_visible(x, nearest.direction) && ring_.place(x).is_inside) nearest = {x, i, j};
   };
-  choose(ring_.most_visible());
-  visit_corners(-kTie, kDistanceStep, [&](const Vec3&, std::size_t i, std::size_t j) {
-    visit_candidates(i, j, choose);
+  if (!is_less(ring_.place(ring_.most_visible()).distance, enough)) return {ring_.most_visible(), any, any};
+  for (std::size_t k = 0; k < n_sites(); ++k) {
+    const std::size_t q = number(k);
+    const Vec3 x = nearest_at(q, level);
+    if (is_in_zone(x, q) && x != Vec3{} && ring_.keeps_clear(x, clear, in_the_way_)) choose(unit_vector(x), q, q);
+  }
+  visit_corners(-kTie, kDistanceStep, [&](const Vec3& x, std::size_t i, std::size_t j) {
+    choose(unit_vector(x), i, j);
     return true;
+  });
+  return nearest;
+}
+
+/// The top near the preferred direction, if there is one, else that itself.
+Candidate Search::nearest_to_most_visible() {
+  const Preferred preferred = this->preferred();
+  const auto candidate = [this](const Vec3& x) {
+    const Place place = ring_.place(x);
+    return Candidate{x, place.distance, place.site};
+  };
+  Candidate chosen = distance(preferred.direction, best_.direction) < kNear ? best_ : candidate(preferred.direction);
+  visit_candidates(preferred.first, preferred.second, [&](const Vec3& x) {
+    if (!(distance(preferred.direction, x) < kNear)) return;
+    if (!ring_.keeps_clear(x, Level(moved(chosen.distance, -kDistanceStep)), in_the_way_)) return;
+    const Candidate other = candidate(x);
+    const bool is_higher = is_less(moved(chosen.distance, kDistanceStep), other.distance);
+    if (is_higher || (!is_less(other.distance, moved(chosen.distance, -kDistanceStep)) &&
+                      is_nearer_to_most_visible(x, chosen.direction))) {
+      chosen = other;
+    }
   });
   return chosen;
 }

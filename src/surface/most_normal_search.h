@@ -85,8 +85,15 @@ class Search {
   void visit_candidates(std::size_t i, std::size_t j, Visit&& visit) const;
   bool is_alone();
   void rise();
+  /// A direction as good as the best one, and the sites at whose level it is.
+  struct Preferred {
+    Vec3 direction;
+    std::size_t first, second;
+  };
+  bool is_nearer_to_most_visible(const Vec3& x, const Vec3& y) const;
+  Vec3 nearest_at(std::size_t q, const Level& level) const;
+  Preferred preferred();
   Candidate nearest_to_most_visible();
-  bool is_preferred(const Candidate& a, const Candidate& b) const;
 
   const Ring& ring_;
   Candidate best_;
