@@ -8,9 +8,9 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/arctangent.h"
-#include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 #include "surface/scratch.h"
+#include "surface/unit_normals.h"
 
 namespace nearwall::surface {
 
@@ -26,7 +26,7 @@ constexpr double kCancelled = 0x1p-26;
 constexpr double kShareOfTurn = 0.9;
 constexpr double kShareOfCorrection = 0.75;
 
-/// Gain of two normals at 80.9 degrees from their middle: where it is larger, the weights are damped as well.
+/// Gain of two normals at 79.8 degrees from their middle: where it is larger, the weights are damped as well.
 constexpr double kLargestGain = 4;
 
 /// Unit normals with a weight each, and their angles to a direction.
@@ -191,10 +191,7 @@ IterativeNormal iterate(const char* name, std::span<const Vec3> normals, const I
                         Correction correction) {
   check(name, options);
   WeightedFan fan(normals.size());
-  for (const Vec3& normal : normals) {
-    if (!is_finite(normal)) throw InputError(fmt::format("{}: expected finite normals, found one that is not", name));
-    if (max_norm(normal) > 0) fan.add(unit_vector(normal));
-  }
+  for_each_unit_normal(name, normals, [&](const Vec3&, const Vec3& unit) { fan.add(unit); });
   if (!fan.normalise()) return {{}, geometry::kPi / 2, 0, false};
   Mean mean = mean_of(fan);
   const double least_gain = gain_of_extremes(fan.units(), mean.direction);

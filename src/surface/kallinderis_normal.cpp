@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/arctangent.h"
 #include "nearwall/surface/iterative_normals.h"
-#include "surface/normals_cap.h"
 #include "surface/normals_visible.h"
 #include "surface/scratch.h"
+#include "surface/unit_normals.h"
 
 namespace nearwall::surface {
 
@@ -59,12 +58,10 @@ Vec3 middle_of_bisecting_plane(const Vec3& a, const Vec3& b, std::span<const Vec
 
 std::optional<VisibleNormal> kallinderis_normal(std::span<const Vec3> face_normals) {
   Scratch<Vec3> given(face_normals.size()), units(face_normals.size());
-  for (const Vec3& normal : face_normals) {
-    if (!is_finite(normal)) throw InputError("kallinderis_normal: expected finite normals, found one that is not");
-    if (!(max_norm(normal) > 0)) continue;
+  for_each_unit_normal("kallinderis_normal", face_normals, [&](const Vec3& normal, const Vec3& unit) {
     given.add(normal);
-    units.add(unit_vector(normal));
-  }
+    units.add(unit);
+  });
   if (units.all().empty()) return std::nullopt;
   const auto [i, j] = widest_pair(units.all());
   const Vec3 direction =

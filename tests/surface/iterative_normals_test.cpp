@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/predicates/orientation.h"
@@ -251,6 +252,13 @@ TEST_P(Iteration, DoesNotConvergeWhereNothingSeesAllFaces) {
   EXPECT_FALSE(run(blind[2]).has_converged);
 }
 
+TEST(PirzadehNormal, ConvergesToARightAngleWhereThatIsTheSmallest) {
+  const auto normal = pirzadeh_normal(std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}});
+  EXPECT_TRUE(normal.has_converged);
+  EXPECT_NEAR(normal.max_angle, kRightAngle, 1e-15);
+  EXPECT_GE(normal.max_angle, kRightAngle);
+}
+
 TEST_P(Iteration, HasNoDirectionWithoutNormals) {
   for (const std::vector<Vec3>& none : {std::vector<Vec3>{}, std::vector<Vec3>{{0, 0, 0}}}) {
     const IterativeNormal normal = run(none);
@@ -265,6 +273,11 @@ TEST_P(Iteration, RefusesWhatIsNotFiniteAndOptionsOutOfRange) {
   const std::vector<Vec3> normals = {{1, 0, 0}, {0, 1, 0}};
   EXPECT_THROW(run({{1, 0, 0}, {0, infinity, 0}}), InputError);
   EXPECT_THROW(run({{1, std::nan(""), 0}}), InputError);
+  try {
+    run({{1, 0, 0}, {0, infinity, 0.5}});
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("found (0, inf, 0.5) at place 1"), std::string::npos) << error.what();
+  }
   EXPECT_THROW(run(normals, {.relaxation = 0.0}), InputError);
   EXPECT_THROW(run(normals, {.relaxation = infinity}), InputError);
   EXPECT_THROW(run(normals, {.tolerance = 0.0}), InputError);
