@@ -14,8 +14,9 @@ struct NetworkNormals {
 
 /// Normals at all vertices from Nielson's minimum norm network: of all nets of cubics along the edges with one tangent
 /// plane at each vertex, the one with the least integral of the squared second derivative over its curves. Each edge is
-/// taken as a graph over its projection square to the mean of its ends' axes, its slopes to first order in those of the
-/// tangent planes over their axes: exact where all axes are one.
+/// taken as a graph over its projection square to the mean of its ends' axes. Exact where all axes are one; elsewhere
+/// the slopes that the tangent planes have there are taken to first order, Eq. (11), and the integral is least for
+/// these.
 /// \param axes  (n_vertices) any length; usually weighted normals. All z: Nielson's network of the height field z(x, y)
 /// \returns  the axis, normalised, where the edges leave the tangent plane open (isolated vertices, all edges along one
 ///           line or along the axis); zero where that is zero
