@@ -9,73 +9,17 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/predicates/orientation.h"
-#include "nearwall/surface/iterative_normals.h"
-#include "tests/support/shapes.h"
-#include "tests/surface/fans.h"
+#include "tests/surface/smoothed.h"
 
 namespace nearwall::surface {
 namespace {
 
-namespace shapes = shapes_for_tests;
-using fans::Random;
-using Normals = IdVector<VertexId, PointNormal>;
+using namespace smoothed;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
 constexpr std::array kFilters = {SmoothingFilter::Laplacian, SmoothingFilter::Taubin, SmoothingFilter::MostVisible,
                                  SmoothingFilter::MostVisibleTaubin};
-
-SmoothingOptions sweeps(SmoothingFilter filter, int iterations) {
-  SmoothingOptions options;
-  options.filter = filter;
-  options.iterations = iterations;
-  return options;
-}
-
-/// A surface with what smoothing wants to know about it.
-struct Prepared {
-  mesh::SurfaceMesh surface;
-  mesh::Topology topology;
-  Features features;
-  explicit Prepared(mesh::SurfaceMesh s, const FeatureOptions& options = {})
-      : surface(std::move(s)), topology(surface), features(find_features(surface, topology, options)) {}
-
-  Normals normals() const { return point_normals(surface, topology, features); }
-  Normals smoothed(Normals normals, const SmoothingOptions& options) const {
-    smooth_normals(surface, topology, features, options, normals);
-    return normals;
-  }
-  std::vector<Vec3> faces_at(VertexId v) const {
-    std::vector<Vec3> faces;
-    for (const HalfedgeId h : topology.fan(v)) faces.push_back(features.face_normal[mesh::Topology::face(h)]);
-    return faces;
-  }
-  /// Mean squared difference between the directions at the ends of an edge.
-  double roughness(const Normals& normals) const {
-    double sum = 0;
-    for (const HalfedgeId h : features.turn.ids()) {
-      sum += squared_norm(normals[topology.origin(h)].direction - normals[topology.target(h)].direction);
-    }
-    return sum / static_cast<double>(features.turn.size());
-  }
-};
-
-mesh::SurfaceMesh bumpy_sphere(int level, double height, unsigned seed) {
-  Random random(seed);
-  return shapes::mapped(shapes::sphere(level),
-                        [&](const Vec3& p) { return p * random.uniform(1 - height, 1 + height); });
-}
-
-/// Gently waved plate whose normals are disturbed within their room.
-mesh::SurfaceMesh waves(std::size_t n) {
-  return shapes::height_field(n, [](double x, double y) { return 0.03 * std::sin(6 * x) * std::cos(5 * y); });
-}
-
-Normals disturbed(Normals normals, double size, unsigned seed) {
-  Random random(seed);
-  for (PointNormal& normal : normals) normal.direction = normalized(normal.direction + random.direction() * size);
-  return normals;
-}
 
 TEST(SmoothNormals, LeavesAConstantFieldAsItIs) {
   const Prepared plate(shapes::plate(6));
@@ -147,84 +91,6 @@ TEST(SmoothNormals, FollowsTheFormulaOfTaubinsTwoSteps) {
   }
   const Normals after = wavy.smoothed(before, options);
   for (const VertexId v : before.ids()) EXPECT_NEAR(distance(after[v].direction, direction[v]), 0, 1e-14);
-}
-
-/// Directions of the vertices round v.
-std::vector<Vec3> ring_of(const Prepared& surface, const Normals& normals, VertexId v) {
-  std::vector<Vec3> ring;
-  for (const HalfedgeId h : surface.topology.fan(v)) ring.push_back(normals[surface.topology.target(h)].direction);
-  return ring;
-}
-
-TEST(SmoothNormals, MostVisibleTakesTheDirectionThatSeesItsNeighboursBest) {
-  const Prepared wavy(waves(24));
-  const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
-  SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
-  options.lambda = 1;
-  options.trigger = 1;
-  const Normals after = wavy.smoothed(noisy, options);
-  for (const VertexId v : noisy.ids()) {
-    if (wavy.topology.is_boundary(v)) continue;
-    const std::vector<Vec3> ring = ring_of(wavy, noisy, v);
-    EXPECT_NEAR(static_cast<double>(fans::worst_angle(fans::to_long(after[v].direction), ring)),
-                static_cast<double>(fans::smallest_worst_angle(ring)), 1e-14);
-  }
-}
-
-TEST(SmoothNormals, IterativeSearchComesToTheSameWithinItsTolerance) {
-  const Prepared wavy(waves(24));
-  const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
-  SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
-  options.lambda = 1;
-  options.search = SearchMethod::Iterative;
-  int n_searched = 0, n_within = 0;
-  const Normals after = wavy.smoothed(noisy, options);
-  for (const VertexId v : noisy.ids()) {
-    const std::vector<Vec3> ring = ring_of(wavy, noisy, v);
-    if (wavy.topology.is_boundary(v)) continue;
-    const double worst = static_cast<double>(fans::worst_angle(fans::to_long(after[v].direction), ring));
-    if (std::cos(worst) > kVisibilityTrigger) continue;
-    n_within += worst < static_cast<double>(fans::smallest_worst_angle(ring)) + IterationOptions{}.tolerance;
-    ++n_searched;
-  }
-  // Some iterations end after 300 steps on the way.
-  EXPECT_GT(n_searched, 20);
-  EXPECT_GT(n_within, 0.9 * n_searched);
-}
-
-TEST(SmoothNormals, MostVisibleTakesTheMeanWhereItSeesAllNeighboursWell) {
-  const Prepared wavy(waves(24));
-  const Normals noisy = disturbed(wavy.normals(), 0.3, 7);
-  SmoothingOptions options = sweeps(SmoothingFilter::MostVisible, 1);
-  options.lambda = 1;
-  int n_means = 0, n_others = 0;
-  const Normals after = wavy.smoothed(noisy, options);
-  for (const VertexId v : noisy.ids()) {
-    if (wavy.topology.is_boundary(v)) continue;
-    const std::vector<Vec3> ring = ring_of(wavy, noisy, v);
-    Vec3 mean;
-    for (const Vec3& direction : ring) mean += direction / static_cast<double>(ring.size());
-    mean = normalized(mean);
-    const bool is_near =
-        std::cos(static_cast<double>(fans::worst_angle(fans::to_long(mean), ring))) > kVisibilityTrigger;
-    EXPECT_EQ(distance(after[v].direction, mean) < 1e-14, is_near);
-    ++(is_near ? n_means : n_others);
-  }
-  EXPECT_GT(n_means, 50);
-  EXPECT_GT(n_others, 50);
-}
-
-TEST(SmoothNormals, CouplingWithTaubinKeepsLongWavesThatMostVisibleFlattens) {
-  const Prepared wavy(waves(48));
-  const Normals before = wavy.normals();
-  const auto amplitude = [&](SmoothingFilter filter) {
-    double sum = 0;
-    for (const PointNormal& normal : wavy.smoothed(before, sweeps(filter, 40))) sum += 1.0 - normal.direction.z();
-    return sum;
-  };
-  const double unsmoothed = amplitude(SmoothingFilter::None);
-  EXPECT_LT(amplitude(SmoothingFilter::MostVisible), 0.9 * unsmoothed);
-  EXPECT_NEAR(amplitude(SmoothingFilter::MostVisibleTaubin), unsmoothed, 0.05 * unsmoothed);
 }
 
 TEST(SmoothNormals, HoldsImposedNormals) {
