@@ -1,6 +1,7 @@
 #include "surface/most_normal_ring.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "nearwall/core/errors.h"
@@ -11,8 +12,11 @@ namespace nearwall::surface {
 
 namespace {
 
-/// Sine of an arc below which its ends can't be told apart, or from opposite ones: some roundings of unit vectors.
+/// Sine of an arc below which its ends can't be told apart: some roundings of unit vectors.
 constexpr double kNoArc = 0x1p-50;
+
+/// Sine of an arc below which rounded unit vectors do not tell its normal to 1e-13.
+constexpr double kThin = 0x1p-9;
 
 /// Sine by which a vertex may stick out into the solid and still count as reflex: a site too many does no harm.
 constexpr double kFlat = 1e-12;
@@ -20,11 +24,50 @@ constexpr double kFlat = 1e-12;
 /// A computed sine above another by this much belongs to a larger angle.
 constexpr double kSineRounding = 0x1p-50;
 
-/// Half, so that no difference overflows; else the same bits.
-Vec3 edge_to(const Vec3& neighbour, const Vec3& apex) {
+/// Vector to a neighbour, times some power of two: two doubles a component, `low` what `high` lacks.
+struct Edge {
+  Vec3 high, low;
+};
+
+/// a - b without rounding, if it does not overflow.
+Edge difference(const Vec3& a, const Vec3& b) {
+  Edge d{a - b, {}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lost = d.high[axis] - a[axis];
+    d.low[axis] = (a[axis] - (d.high[axis] - lost)) - (b[axis] + lost);
+  }
+  return d;
+}
+
+Edge edge_to(const Vec3& neighbour, const Vec3& apex) {
   if (!is_finite(neighbour)) throw InputError("most_normal_normal: expected finite points, found one that is not");
-  const Vec3 edge = neighbour - apex;
-  return is_finite(edge) ? edge : neighbour * 0.5 - apex * 0.5;
+  const Edge edge = difference(neighbour, apex);
+  return is_finite(edge.high) ? edge : difference(neighbour * 0.5, apex * 0.5);
+}
+
+/// The edge with its largest component in [1, 2), so that no product leaves the range of doubles.
+Edge scaled(const Edge& edge) {
+  const int exponent = std::ilogb(max_norm(edge.high));
+  const auto scale = [exponent](const Vec3& v) {
+    return Vec3(std::ldexp(v.x(), -exponent), std::ldexp(v.y(), -exponent), std::ldexp(v.z(), -exponent));
+  };
+  return {scale(edge.high), scale(edge.low)};
+}
+
+/// p q' - p' q of twice as many digits, for two components of two edges.
+double determinant(const Edge& a, const Edge& b, int i, int j) {
+  const double p = a.high[i] * b.high[j], q = a.high[j] * b.high[i];
+  const double size = p - q, lost = size - p;
+  const double rounding = (p - (size - lost)) - (q + lost);
+  const double rounding_of_p = std::fma(a.high[i], b.high[j], -p), rounding_of_q = std::fma(a.high[j], b.high[i], -q);
+  const double low = (a.high[i] * b.low[j] - a.high[j] * b.low[i]) + (a.low[i] * b.high[j] - a.low[j] * b.high[i]);
+  return size + (rounding + ((rounding_of_p - rounding_of_q) + low));
+}
+
+/// Normal of a face whose edges are nearly parallel; zero if they are.
+Vec3 normal_of_thin(const Edge& edge, const Edge& next) {
+  const Edge a = scaled(edge), b = scaled(next);
+  return unit_vector({determinant(a, b, 1, 2), determinant(a, b, 2, 0), determinant(a, b, 0, 1)});
 }
 
 }  // namespace
@@ -40,24 +83,28 @@ Level::Level(const Distance& d)
 bool Ring::prepare(const Vec3& apex, std::span<const Vec3> neighbours) {
   if (!is_finite(apex)) throw InputError("most_normal_normal: expected a finite apex, found one that is not");
   Scratch<Vec3> starts(neighbours.size());
+  Scratch<Edge> edges(neighbours.size());
   const auto is_same = [](const Vec3& p, const Vec3& q) {
     return dot(p, q) > 0 && squared_norm(cross(p, q)) <= kNoArc * kNoArc;
   };
   bool is_open = false;
   for (const Vec3& neighbour : neighbours) {
-    const Vec3 start = unit_vector(edge_to(neighbour, apex));
+    const Edge edge = edge_to(neighbour, apex);
+    const Vec3 start = unit_vector(edge.high);
     is_open |= start == Vec3{};
-    if (starts.all().empty() || !is_same(starts.all().back(), start)) starts.add(start);
+    if (starts.all().empty() || !is_same(starts.all().back(), start)) starts.add(start), edges.add(edge);
   }
   std::span<const Vec3> p = starts.all();
   while (p.size() > 1 && is_same(p.back(), p.front())) p = p.first(p.size() - 1);
   if (is_open || p.size() < 3) return false;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    const Vec3 &start = p[k], &end = p[k + 1 == p.size() ? 0 : k + 1];
+    const std::size_t next = k + 1 == p.size() ? 0 : k + 1;
+    const Vec3 &start = p[k], &end = p[next];
     // Twice start x end, without its cancellation where the two are nearly the same or opposite.
     const Vec3 face = cross(start - end, start + end);
-    if (squared_norm(face) <= kNoArc * kNoArc) return false;
-    const Vec3 normal = unit_vector(face);
+    const Vec3 normal =
+        squared_norm(face) > 4 * kThin * kThin ? unit_vector(face) : normal_of_thin(edges.all()[k], edges.all()[next]);
+    if (normal == Vec3{}) return false;
     arcs_.add({start, normal, cross(normal, start), cross(normal, end)});
   }
   for (std::size_t k = 0; k < p.size(); ++k) {
