@@ -190,7 +190,7 @@ bool Search::raise_from(const Support& support) {
   const Directions tops =
       support.n == 2 ? farthest_of_pair(a, b, ring_.most_visible()) : equally_far(a, b, site(support.site[2]));
   bool is_raised = false;
-  for (const Vec3& x : tops.all()) is_raised |= ring_.keeps_clear(x, Level(best_.distance), in_the_way_) && raise(x);
+  for (const Vec3& x : tops.all()) is_raised |= keeps_clear(x, Level(best_.distance)) && raise(x);
   if (is_raised) support_ = support;
   return is_raised;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "nearwall/core/errors.h"
 #include "surface/normals_cap.h"
@@ -166,12 +167,9 @@ bool Ring::is_nearer(const Arc& arc, const Vec3& x, const Level& level) const {
   return !level.is_large || across * across + ahead * ahead > level.squared_cosine;
 }
 
-bool Ring::keeps_clear(const Vec3& x, const Level& level, std::size_t& first) const {
-  for (std::size_t k = first; k < arcs().size(); ++k) {
-    if (is_nearer(arcs()[k], x, level)) return first = k, false;
-  }
-  for (std::size_t k = 0; k < first; ++k) {
-    if (is_nearer(arcs()[k], x, level)) return first = k, false;
+bool Ring::keeps_clear(const Vec3& x, const Level& level, std::span<std::size_t> order) const {
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (is_nearer(arcs()[order[k]], x, level)) return std::swap(order[k], order[k / 2]), false;
   }
   return true;
 }

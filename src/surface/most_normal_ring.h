@@ -70,8 +70,9 @@ class Ring {
   /// Distance of x from the nearest arc, and on which side it is. Cost: O(n).
   Place place(const Vec3& x) const;
 
-  /// Whether no arc is nearer to x than the level. \param first  arc to begin with; returns the one in the way
-  bool keeps_clear(const Vec3& x, const Level& level, std::size_t& first) const;
+  /// Whether no arc is nearer to x than the level.
+  /// \param order  numbers of the arcs, in which they are asked; the one in the way moves ahead
+  bool keeps_clear(const Vec3& x, const Level& level, std::span<std::size_t> order) const;
 
   bool is_seen(const Vec3& x) const;
 

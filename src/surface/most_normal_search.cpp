@@ -33,7 +33,8 @@ constexpr double kCosineRounding = 0x1p-50;
 
 }  // namespace
 
-Search::Search(const Ring& ring) : ring_(ring) {
+Search::Search(const Ring& ring) : ring_(ring), order_(ring.arcs().size()) {
+  for (std::size_t k = 0; k < ring.arcs().size(); ++k) order_.add(k);
   const Place place = ring.place(ring.most_visible());
   best_ = {ring.most_visible(), place.distance, place.site};
 }
@@ -98,7 +99,7 @@ bool Search::visit_corners(double step, double slack, Visit&& visit) {
     for (std::size_t earlier = 0; earlier < later; ++earlier) {
       const std::size_t j = sites.all()[earlier];
       for (const Vec3& x : at_level(a, site(j), level).all()) {
-        if (!is_in_zone(x, i) || !is_in_zone(x, j) || !ring_.keeps_clear(x, clear, in_the_way_)) continue;
+        if (!is_in_zone(x, i) || !is_in_zone(x, j) || !keeps_clear(x, clear)) continue;
         if (!visit(x, i, j)) return false;
         if (!is_less(reached, best_.distance)) continue;
         reached = best_.distance;
@@ -148,7 +149,7 @@ void Search::rise() {
     visit_corners(kDistanceStep, 0.5 * kDistanceStep, [&](const Vec3& corner, std::size_t i, std::size_t j) {
       is_higher |= raise(unit_vector(corner), kLeastGain);
       visit_candidates(i, j, [&](const Vec3& x) {
-        if (ring_.keeps_clear(x, Level(best_.distance), in_the_way_)) is_higher |= raise(x, kLeastGain);
+        if (keeps_clear(x, Level(best_.distance))) is_higher |= raise(x, kLeastGain);
       });
       return can_rise();
     });
@@ -189,7 +190,7 @@ Search::Preferred Search::preferred() {
   for (std::size_t k = 0; k < n_sites(); ++k) {
     const std::size_t q = number(k);
     const Vec3 x = nearest_at(q, level);
-    if (is_in_zone(x, q) && x != Vec3{} && ring_.keeps_clear(x, clear, in_the_way_)) choose(unit_vector(x), q, q);
+    if (is_in_zone(x, q) && x != Vec3{} && keeps_clear(x, clear)) choose(unit_vector(x), q, q);
   }
   visit_corners(-kTie, kDistanceStep, [&](const Vec3& x, std::size_t i, std::size_t j) {
     choose(unit_vector(x), i, j);
@@ -208,7 +209,7 @@ Candidate Search::nearest_to_most_visible() {
   Candidate chosen = distance(preferred.direction, best_.direction) < kNear ? best_ : candidate(preferred.direction);
   visit_candidates(preferred.first, preferred.second, [&](const Vec3& x) {
     if (!(distance(preferred.direction, x) < kNear)) return;
-    if (!ring_.keeps_clear(x, Level(moved(chosen.distance, -kDistanceStep)), in_the_way_)) return;
+    if (!keeps_clear(x, Level(moved(chosen.distance, -kDistanceStep)))) return;
     const Candidate other = candidate(x);
     const bool is_higher = is_less(moved(chosen.distance, kDistanceStep), other.distance);
     if (is_higher || (!is_less(other.distance, moved(chosen.distance, -kDistanceStep)) &&

@@ -25,7 +25,7 @@ struct Candidate {
 inline constexpr double kDistanceStep = 1e-12;
 
 /// Search for the direction farthest from the arcs of a ring that nothing is farther from than a right angle.
-/// docs/theory/most-normal.md, steps 3 to 5.
+/// docs/theory/most-normal.md from "Candidates and proof" on.
 class Search {
  public:
   explicit Search(const Ring& ring);
@@ -58,6 +58,7 @@ class Search {
   Vec3 foot(const Vec3& x, std::size_t q) const;
   bool is_in_zone(const Vec3& x, std::size_t q) const;
 
+  bool keeps_clear(const Vec3& x, const Level& level) { return ring_.keeps_clear(x, level, order_.all()); }
   bool raise(const Vec3& x, double gain = 0);
   bool raise_from(const Support& support);
   bool raise_from_any(const std::array<std::size_t, 3>& sites);
@@ -97,9 +98,9 @@ class Search {
 
   const Ring& ring_;
   Candidate best_;
-  Support support_;         ///< what the best direction was computed from
-  std::optional<Top> top_;  ///< set if it is known to hold it
-  std::size_t in_the_way_ = 0;
+  Support support_;             ///< what the best direction was computed from
+  std::optional<Top> top_;      ///< set if it is known to hold it
+  Scratch<std::size_t> order_;  ///< arcs, those often in the way first
 };
 
 }  // namespace nearwall::surface

@@ -62,12 +62,15 @@ Directions meet_of_unequal(const Site& plane, const Site& vertex, const Level& l
     return x;
   }
   const double c = dot(n, v);
-  const Vec3 g = cross(n, v);
-  const double squared_g = squared_norm(g), room = c * (2.0 * level.sine * level.cosine - c);
-  if (!(room >= 0) || !(squared_g > 0)) return x;
-  const Vec3 middle =
-      n * ((level.sine - c * level.cosine) / squared_g) + v * ((level.cosine - c * level.sine) / squared_g);
-  const Vec3 aside = g * (std::sqrt(room) / squared_g);
+  if (c < 0) return x;
+  const auto [sum, difference] = SumAndDifference(n, v);
+  const double squared_sum = squared_norm(sum), squared_difference = squared_norm(difference);
+  // sin 2D - c, where both are nearly one by their distances from one.
+  const double gap = level.cosine - level.sine;
+  const double room = c * (c > 0.5 ? 0.5 * squared_difference - gap * gap : 2.0 * level.sine * level.cosine - c);
+  if (!(room >= 0) || !(squared_difference > 0)) return x;
+  const Vec3 middle = sum * ((level.sine + level.cosine) / squared_sum) - difference * (gap / squared_difference);
+  const Vec3 aside = cross(sum, difference) * (2.0 * std::sqrt(room) / (squared_sum * squared_difference));
   x.add(middle + aside);
   x.add(middle - aside);
   return x;
