@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/surface/normals.h"
@@ -12,23 +14,36 @@ namespace {
 /// Below this sine of its angle a corner is thin: b x c cancels to less than 1e-13 of its size in doubles.
 constexpr double kThin = 0x1p-9;
 
-/// Vectors of long doubles, whose eleven more bits make up for what thin corners cancel.
-struct LongVec {
-  long double x, y, z;
+/// Two doubles whose sum is twice as precise: `rest` is what `value` was rounded by.
+struct Double2 {
+  double value, rest;
 };
 
-LongVec difference(const Vec3& a, const Vec3& b) {
-  return {static_cast<long double>(a.x()) - static_cast<long double>(b.x()),
-          static_cast<long double>(a.y()) - static_cast<long double>(b.y()),
-          static_cast<long double>(a.z()) - static_cast<long double>(b.z())};
+/// a - b, exactly (Knuth's TwoSum).
+Double2 difference(double a, double b) {
+  const double value = a - b, minus_b = value - a;
+  return {value, (a - (value - minus_b)) - (b + minus_b)};
 }
 
-/// (p - apex) x (q - apex), times `scale` twice.
+/// a d - b c to some 2^-100 of the products: these are held exactly, and so are their small corrections.
+double determinant(const Double2& a, const Double2& b, const Double2& c, const Double2& d) {
+  const double ad = a.value * d.value, bc = b.value * c.value;
+  const Double2 large = difference(ad, bc);
+  const double rounded = std::fma(a.value, d.value, -ad) - std::fma(b.value, c.value, -bc);
+  const double corrections = (a.value * d.rest - b.value * c.rest) + (a.rest * d.value - b.rest * c.value);
+  return large.value + (large.rest + rounded + corrections);
+}
+
+/// (p - apex) x (q - apex), times `scale` twice, where it cancels.
 Vec3 area_vector_of_thin(const Vec3& apex, const Vec3& p, const Vec3& q, double scale) {
-  const LongVec b = difference(p, apex), c = difference(q, apex);
-  const long double s = static_cast<long double>(scale) * static_cast<long double>(scale);
-  return {static_cast<double>((b.y * c.z - b.z * c.y) * s), static_cast<double>((b.z * c.x - b.x * c.z) * s),
-          static_cast<double>((b.x * c.y - b.y * c.x) * s)};
+  std::array<Double2, 3> b, c;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    b[k] = difference(p[axis], apex[axis]), c[k] = difference(q[axis], apex[axis]);
+    b[k].value *= scale, b[k].rest *= scale, c[k].value *= scale, c[k].rest *= scale;
+  }
+  return {determinant(b[1], b[2], c[1], c[2]), determinant(b[2], b[0], c[2], c[0]),
+          determinant(b[0], b[1], c[0], c[1])};
 }
 
 /// Power of two that brings the longest edge at the apex near 1, so that no product leaves the range of doubles.

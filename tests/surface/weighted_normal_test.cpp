@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "nearwall/core/errors.h"
@@ -87,6 +88,30 @@ TEST_P(WeightedNormalOf, FollowsItsFormulaTo1e13OnThinFacesToo) {
     const Vec3 normal = weighted_normal(weight, apex, ring, false);
     const fans::Long expected = weighted_by_formula(weight, apex, ring, ring.size() - 1);
     ASSERT_LT(fans::angle(fans::to_long(normal), expected), 1e-13L) << trial << " " << thinness;
+  }
+}
+
+TEST_P(WeightedNormalOf, IsRightTo1e13InCornersThatDoublesHardlyTellFromLines) {
+  const auto weight = static_cast<Weight>(GetParam());
+  Random random(33);
+  const auto whole = [&](std::int64_t below) {
+    return std::int64_t{random.integer(0, (1 << 30) - 1)} * (below >> 30) + random.integer(0, 1 << 20) - below / 2;
+  };
+  for (int trial = 0; trial < 500; ++trial) {
+    // Coordinates that doubles hold exactly, while the edges b and b + r may have a bit more. |r| / |b| is 1e-15 to 1.
+    const std::int64_t large = std::int64_t{1} << 54, small = std::int64_t{1} << 6;
+    fans::Whole apex{}, p{}, r{}, b{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      apex[k] = whole(large), p[k] = whole(large) >> random.integer(0, 50);
+      r[k] = random.integer(-static_cast<int>(small), static_cast<int>(small)), b[k] = p[k] - apex[k];
+    }
+    const fans::Whole exact = fans::cross(b, r);  // below 2^62
+    const auto point = [](const fans::Whole& at) {
+      return Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
+    };
+    const Vec3 p_at = point(p), q_at = point({p[0] + r[0], p[1] + r[1], p[2] + r[2]});
+    const Vec3 normal = weighted_normal(weight, point(apex), std::vector<Vec3>{p_at, q_at}, false);
+    ASSERT_LT(distance(normal, normalized(point(exact))), 1e-13) << trial;
   }
 }
 
