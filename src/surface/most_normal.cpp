@@ -15,6 +15,10 @@ namespace {
 /// A distance above a right angle by more than this is not a rounded right angle, of which there may be several [rad].
 constexpr double kSurelyObtuse = 1e-10;
 
+/// A fan is flat if the most visible normal keeps a right angle from all arcs, up to this cosine. But for Eq. (3) no
+/// direction keeps more than a right angle, so that none is better by more than a tie.
+constexpr double kFlat = 1e-10;
+
 constexpr double kRightAngle = std::numbers::pi / 2;
 
 /// Of a ring that fits into a cap smaller than a hemisphere, with the fluid round the other end: that end, Eq. (3).
@@ -50,7 +54,7 @@ std::optional<NormalNormal> most_normal_normal(const Vec3& apex, std::span<const
   if (!ring.prepare(apex, neighbours)) return std::nullopt;
   Search search(ring);
   if (ring.reflex().empty()) return judged(ring, search.best());
-  const bool is_flat = search.best().distance.cosine < kSurelyObtuse;
+  const bool is_flat = search.best().distance.cosine < kFlat;
   const bool is_tip = is_flat || looks_like_tip(ring);
   if (is_tip) {
     if (const auto opposite = opposite_of_cap(ring)) return opposite;

@@ -30,10 +30,9 @@ inline constexpr std::size_t kMaxFittedNeighbours = 64;
 /// `axis`.
 /// \param axis        any length; usually a weighted normal. z where the surface is a height field z(x, y)
 /// \param neighbours  in any order, the point itself left out
-/// \returns  unit vector on the side of the axis. nullopt where the fit says nothing: no axis; neighbours too few
-/// (below
-///           2 for LinearLeastSquares, Hardy and ThinPlate, 3 for Shepard, 5 for the quadratics); all on one line (but
-///           for Shepard) or on a curve that leaves the quadratic open; seen along the axis, a neighbour at the point
+/// \returns  unit vector on the side of the axis. nullopt where the fit says nothing: no axis; fewer neighbours than 2
+///           (LinearLeastSquares, Hardy, ThinPlate), 3 (Shepard) or 5 (the quadratics); all on one line (but for
+///           Shepard) or on a curve that leaves the quadratic open; seen along the axis, a neighbour at the point
 ///           itself (RenkaCline, Shepard, Hardy, ThinPlate) or two at one place (Hardy, ThinPlate); a graph steeper
 ///           than 2^26. Rank is decided to 2^-30 (planes, quadratics) and 2^-40 (Hardy, ThinPlate):
 ///           docs/theory/fitted-normals.md, section 4
