@@ -33,12 +33,7 @@ Pair widest_pair(std::span<const Vec3> units) {
 /// Middle of the directions in the plane that bisects the faces with the unit normals a and b from which all faces are
 /// seen; zero if there are none. Equations (1) and (2) of docs/theory/iterative-normals.md.
 Vec3 middle_of_bisecting_plane(const Vec3& a, const Vec3& b, std::span<const Vec3> units) {
-  const Vec3 across = a - b;
-  Vec3 bisector = a + b;
-  // Rounded lengths tilt the small sum of nearly opposite normals: make it square to a - b again.
-  if (squared_norm(bisector) < squared_norm(across)) {
-    bisector -= across * (dot(bisector, across) / squared_norm(across));
-  }
+  const Vec3 across = a - b, bisector = centre_of_pair(a, b);
   if (!(max_norm(bisector) > 0)) return {};
   const Vec3 up = unit_vector(bisector), along = unit_vector(cross(across, bisector));
   double least = 0, greatest = 0;

@@ -19,15 +19,6 @@ constexpr double kRightAngle = 0x1p-49;
 
 double squared_distance(const Vec3& a, const Vec3& b) { return squared_norm(a - b); }
 
-/// Direction in the middle of the arc from a to b. Not normalised.
-Vec3 centre_of_pair(const Vec3& a, const Vec3& b) {
-  const Vec3 sum = a + b, difference = a - b;
-  const double squared_sum = squared_norm(sum), squared_difference = squared_norm(difference);
-  if (squared_sum >= squared_difference) return sum;
-  // The sum of nearly opposite vectors is small, and rounding of their lengths tilts it: make it square to a - b again.
-  return sum - difference * (dot(sum, difference) / squared_difference);
-}
-
 /// Direction of the centre of the circle through a, b and base, on their side. Not normalised; zero for repeated
 /// vectors.
 Vec3 centre_through(const Vec3& a, const Vec3& b, const Vec3& base) {

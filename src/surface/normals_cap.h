@@ -22,6 +22,15 @@ struct Cap {
 /// O(n) for each vector that enters the active set, a handful in practice. No memory is allocated.
 Cap smallest_cap(std::span<const Vec3> units);
 
+/// Direction in the middle of the arc between the unit vectors a and b. Not normalised.
+inline Vec3 centre_of_pair(const Vec3& a, const Vec3& b) {
+  const Vec3 sum = a + b, difference = a - b;
+  const double squared_sum = squared_norm(sum), squared_difference = squared_norm(difference);
+  if (squared_sum >= squared_difference) return sum;
+  // The sum of nearly opposite vectors is small, and rounding of their lengths tilts it: make it square to a - b again.
+  return sum - difference * (dot(sum, difference) / squared_difference);
+}
+
 /// a / |a| for a vector that is not zero: the same bits as `normalized`, without its detour where |a|² is in range.
 inline Vec3 unit_vector(const Vec3& a) {
   constexpr double kSmallest = 0x1p-900, kLargest = 0x1p900;
