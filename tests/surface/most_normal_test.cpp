@@ -75,6 +75,59 @@ TEST(MostNormalNormal, TakesTheEndNearestToTheMostVisibleOneOfACurveOfMaximisers
   EXPECT_GT(n_as_far, 600);
 }
 
+TEST(MostNormalNormal, TakesTheNearestOfNearlyAsGoodOnesAtABlockSlightlyOut) {
+  const Points ring = {{-0x1.97cc0e99dc6d1p-1, -0x1.6f94d497a69c7p-3, 0x1.27a2df2712b15p-1},
+                       {-0x1.0508f240df194p-3, 0x1.f7744b7c2c234p-1, 0x1.09e7a7793e3d2p-3},
+                       {0x1.dabfb34d0f548p-2, 0x1.e8304fe5eecbcp-1, 0x1.df2dff3b97702p-1},
+                       {0x1.2ea21635b5eafp-1, -0x1.e87f72b517c5fp-6, 0x1.9cb4155bec2b6p-1},
+                       {0x1.97cc0e9a409e2p-1, 0x1.6f94d49ea016bp-3, -0x1.27a2df2654a87p-1},
+                       {-0x1.2ea2163679968p-1, 0x1.e87f72d2ecd73p-6, -0x1.9cb4155c9117fp-1}};
+  const auto normal = most_normal(ring);
+  ASSERT_TRUE(normal);
+  const Vec3 visible = most_visible(ring)->direction;
+  const rings::Arcs arcs(ring, visible);
+  const Vec3 a = normalized(ring[0]), floor = normalized(cross(ring[4], ring[5])), b = cross(floor, a);
+  double nearest = 4;
+  int n_as_far = 0;
+  for (int k = 0; k < 40 * 720; ++k) {
+    const double turn = geometry::to_radians(0.5 * (k / 40)), rise = kPi / 4 + 1e-11 * (k % 40 - 20);
+    const Vec3 x = (a * std::cos(turn) + b * std::sin(turn)) * std::cos(rise) + floor * std::sin(rise);
+    if (arcs.value(fans::to_long(x)) < normal->min_distance) continue;
+    ++n_as_far;
+    nearest = std::min(nearest, distance(x, visible));
+  }
+  EXPECT_GT(n_as_far, 100);
+  EXPECT_LE(distance(normal->direction, visible), nearest + 1e-6);
+}
+
+TEST(MostNormalNormal, TakesTheNearestOfAllThatIsSquareToOppositeNeighbours) {
+  const Points ring = {{-0x1.e5eaca5074dd8p-4, 0x1.9b31501ee3049p+0, -0x1.5c569b162634cp+1},
+                       {0x1.ec5397fbdcefcp+1, 0x1.c52d0d6c0b80fp-1, -0x1.d99a79e89c0cp+0},
+                       {0x1.8f220ed59269p+1, 0x1.2854b3a92919p-6, -0x1.5946a2626269cp+1},
+                       {0x1.b943f3e5edc23p+1, -0x1.36865ac25c288p+1, -0x1.eb46f9b90a418p-2},
+                       {0x1.448bf9e8fb24ap+0, -0x1.351ac6503ae52p+1, 0x1.47de50ae7072p+1},
+                       {0x1.e5eaca5074dd8p-4, -0x1.9b31501ee3049p+0, 0x1.5c569b162634cp+1},
+                       {0x1.b1837de338b7p-1, -0x1.7a78386f03d1p-1, 0x1.c8d000843a988p+1},
+                       {-0x1.d7f0094711ac2p+0, 0x1.f06fbe4f43423p+0, 0x1.f5b7fd87a46a8p+0},
+                       {-0x1.510f2882dac9cp-2, 0x1.38d70429ae7abp+1, -0x1.1bddc32b41218p+1}};
+  const Vec3 ridge = ring[0];
+  const auto normal = most_normal(ring);
+  ASSERT_TRUE(normal);
+  EXPECT_NEAR(normal->min_distance, kRightAngle, 1e-10);
+  const Vec3 visible = most_visible(ring)->direction;
+  const rings::Arcs arcs(ring, visible);
+  const Vec3 a = normalized(cross(ridge, {1, 0, 0})), b = normalized(cross(ridge, a));
+  int n_as_far = 0;
+  for (int k = 0; k < 3600; ++k) {
+    const double turn = geometry::to_radians(0.1 * k);
+    const Vec3 x = a * std::cos(turn) + b * std::sin(turn);
+    if (arcs.value(fans::to_long(x)) < kRightAngle - 1e-12) continue;
+    ++n_as_far;
+    EXPECT_LE(distance(normal->direction, visible), distance(x, visible) + 1e-12);
+  }
+  EXPECT_GT(n_as_far, 100);
+}
+
 TEST(MostNormalNormal, IsTheMostVisibleOneOnARidgeAndAFlat) {
   // Nothing is farther than a right angle from both ends of a straight ridge, and all that is square to it is as far.
   const Points ridge = {{1, 0, 0}, {0, 1, -1}, {-1, 0, 0}, {0, -1, -1}};
@@ -161,6 +214,39 @@ TEST(MostNormalNormal, EndsWhereNeighboursAreOppositeButForRounding) {
   Random random(6);
   const rings::Arcs arcs(original, most_visible(original)->direction);
   EXPECT_LE(static_cast<double>(arcs.best(random, 60, 6).second), normal->min_distance + 1e-9);
+}
+
+TEST(MostNormalNormal, KeepsItsDigitsWhereNeighboursAreNearlyOpposite) {
+  // A ridge or valley along p, bent by very little: the face between p and q = -p + bend d has the normal p x d.
+  const Vec3 p(3, 1, 2), d(0, 1, -1);
+  const auto expect = [&](const Vec3& apex, const Vec3& r, double bend, const Vec3& turned) {
+    const Vec3 q = d * bend - p;
+    const auto normal = most_normal_normal(apex, Points{apex + p, apex + q, apex + r});
+    ASSERT_TRUE(normal) << bend;
+    const auto visible = most_visible_normal(Points{cross(p, turned), cross(q, r), cross(r, p)});
+    // Nowhere reflex: the nearest face is one whose plane is seen worst.
+    EXPECT_NEAR(normal->min_distance, kRightAngle - visible->max_angle, 1e-14) << bend;
+    EXPECT_NEAR(distance(normal->direction, visible->direction), 0, 1e-14) << bend;
+  };
+  for (const int exponent : {-10, -20, -30, -40}) {
+    expect({0, 0, 0}, {-1, 1, 2}, std::ldexp(1, exponent), d);
+    expect({1000, -500, 250}, {-1, 1, 2}, std::ldexp(1, exponent), d);
+  }
+  expect({0, 0, 0}, {-1, 1, 2}, 0x1p-50, d);
+  // An apex so near the origin that edges are not doubles: (p - a) x (q - a) = p x (bend d - 2 a), but for a * bend.
+  const Vec3 w(1, -1, 2);
+  expect(w * 0x1p-56, {-1, 1, 2}, 0x1p-50, d - w * 0x1p-5);
+}
+
+TEST(MostNormalNormal, EndsSoonInLargeStarsAllOfWhoseTipsAreAsNear) {
+  for (const int n : {64, 1000}) {
+    std::vector<rings::Polar> polars;
+    for (int i = 0; i < n; ++i) polars.push_back({2 * kPi * i / n, i % 2 == 0 ? 0.4 : 2.6});
+    const auto normal = most_normal(rings::ring_of(polars, {0, 0, 1}, {1, 0, 0}));
+    ASSERT_TRUE(normal);
+    EXPECT_NEAR(normal->min_distance, 0.4, 1e-15);
+    EXPECT_NEAR(distance(normal->direction, {0, 0, 1}), 0, 1e-15);
+  }
 }
 
 /// One kind of ring, from mild to wild.
