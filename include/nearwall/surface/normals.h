@@ -34,12 +34,16 @@ struct NormalNormal {
 
 /// The most normal normal: the direction in the fluid whose smallest angle to the faces round `apex` (as triangles, not
 /// as planes) is largest: the centre of the largest circle that fits between the arcs in which the faces cut the unit
-/// sphere (Aubry et al. 2015, put right in docs/theory/most-normal.md). Of several such directions, the one nearest to
-/// the most visible normal.
-/// \param ring  neighbours counterclockwise seen from outside, at least three; faces join successive ones and close up
-/// \returns  nullopt if no direction sees all faces, or if the ring does not go round once
+/// sphere (Aubry et al. 2015, put right in docs/theory/most-normal.md). Of several such directions, equal to 1e-10 rad,
+/// the one nearest to the most visible normal.
+/// \param ring  neighbours counterclockwise seen from outside, in at least three directions (those within 1e-15 rad
+///              count as one); faces join successive ones and close up
+/// \returns  nullopt if a neighbour is in the apex, if successive ones are exactly opposite (a face without area), if no
+///           direction sees all faces (a cone of less than about 1e-15 rad is taken either way), or if the ring does not
+///           go round once
 /// \throws   InputError if a coordinate is not finite
-/// Distance optimal to 1e-9 rad.
+/// Distance optimal to 1e-9 rad. Cost: O(n) at most vertices, else O(n^2), 1 ms for n = 128 as a rule. No memory for n
+/// <= 24.
 std::optional<NormalNormal> most_normal_normal(const Vec3& apex, std::span<const Vec3> ring);
 
 /// Weight of a face at its vertex A in a weighted normal, with b, c the lengths of its edges at A, alpha the angle
