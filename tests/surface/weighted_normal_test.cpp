@@ -148,6 +148,16 @@ TEST(WeightedNormal, ByMaxIsExactOnSpheresHoweverTheFanLies) {
   }
 }
 
+TEST(WeightedNormal, IsTheSameBitsFromTheSmallestDoublesToTheLargest) {
+  const std::vector<Vec3> ring = {{1, 0, 0.5}, {-0.25, 1, 0}, {-0.25, 0.99609375, 0}, {0, -1, 1}};
+  const Vec3 expected = weighted_normal(Weight::Max, {0, 0, 0}, ring);
+  for (const int exponent : {-1060, -1000, 1000, 1023}) {
+    std::vector<Vec3> scaled = ring;
+    for (Vec3& p : scaled) p *= std::ldexp(1.0, exponent);
+    EXPECT_EQ(weighted_normal(Weight::Max, {0, 0, 0}, scaled), expected) << exponent;
+  }
+}
+
 TEST(WeightedNormal, PassesOverFacesWithoutArea) {
   const std::vector<Vec3> plain = {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0.5}};
   std::vector<Vec3> with_spike = plain;
