@@ -37,11 +37,10 @@ struct NormalNormal {
 /// sphere (Aubry et al. 2015, put right in docs/theory/most-normal.md). Of several such directions, equal to 1e-10 rad,
 /// the one nearest to the most visible normal.
 /// \param ring  neighbours counterclockwise seen from outside, in at least three directions (those within 1e-15 rad
-///              count as one); faces join successive ones and close up
-/// \returns  nullopt if a neighbour is in the apex, if successive ones are exactly opposite (a face without area), if
-/// no
-///           direction sees all faces (a cone of less than about 1e-15 rad is taken either way), or if the ring does
-///           not go round once
+/// count as one); faces join successive ones and close up
+/// \returns  nullopt if a neighbour is in the apex or successive ones are exactly opposite (a face without area), if no
+/// direction sees all faces (a cone of less than about 1e-15 rad is taken either way), or if the ring does not go round
+/// once
 /// \throws   InputError if a coordinate is not finite
 /// Distance optimal to 1e-9 rad. Cost: O(n) at most vertices, else O(n^2), 1 to 5 ms for n = 128. No memory for n
 /// <= 24.
