@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "nearwall/core/errors.h"
 #include "nearwall/geometry/arctangent.h"
 #include "nearwall/predicates/orientation.h"
 #include "surface/normals_cap.h"
 #include "surface/normals_existence.h"
 #include "surface/normals_visible.h"
 #include "surface/scratch.h"
+#include "surface/unit_normals.h"
 
 namespace nearwall::surface {
 
@@ -68,12 +68,10 @@ std::optional<VisibleNormal> most_visible_of(std::span<const Vec3> given, std::s
 
 std::optional<VisibleNormal> most_visible_normal(std::span<const Vec3> face_normals) {
   Scratch<Vec3> given(face_normals.size()), units(face_normals.size());
-  for (const Vec3& normal : face_normals) {
-    if (!is_finite(normal)) throw InputError("most_visible_normal: expected finite normals, found one that is not");
-    if (!(max_norm(normal) > 0)) continue;
+  for_each_unit_normal("most_visible_normal", face_normals, [&](const Vec3& normal, const Vec3& unit) {
     given.add(normal);
-    units.add(unit_vector(normal));
-  }
+    units.add(unit);
+  });
   if (given.all().empty()) return std::nullopt;
   return most_visible_of(given.all(), units.all());
 }
