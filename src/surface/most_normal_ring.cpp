@@ -124,11 +124,12 @@ bool Ring::find_most_visible() {
 
 bool Ring::goes_round_once() const {
   // Seen from the most visible normal each arc turns left by less than half a turn: it passes any given azimuth once.
+  // At that of the first vertex its neighbours' sides are known, and rounding may hide them.
   const Vec3 left = cross(most_visible_, arcs()[0].start);
-  int n_turns = 0;
-  bool was_right = dot(left, arcs().back().start) < 0;
-  for (const Arc& arc : arcs()) {
-    const bool is_right = dot(left, arc.start) < 0;
+  int n_turns = 1;
+  bool was_right = false;
+  for (std::size_t k = 2; k < arcs().size(); ++k) {
+    const bool is_right = k + 1 == arcs().size() || dot(left, arcs()[k].start) < 0;
     n_turns += was_right && !is_right;
     was_right = is_right;
   }

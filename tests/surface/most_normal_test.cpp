@@ -238,6 +238,18 @@ TEST(MostNormalNormal, KeepsItsDigitsWhereNeighboursAreNearlyOpposite) {
   expect(w * 0x1p-56, {-1, 1, 2}, 0x1p-50, d - w * 0x1p-5);
 }
 
+TEST(MostNormalNormal, GoesRoundOnceWhereNeighboursAreOppositeToTheLastDigit) {
+  const Points ring = {{0x1.34f302f2935f9p+103, -0x1.7a8d75f178216p+102, -0x1.b8d2c133439ddp+102},
+                       {0x1.1ccdcc15fe512p+299, -0x1.1782c5d1641b2p+299, -0x1.d21a910159069p+298},
+                       {0x1.26f2ea17d8b21p+48, -0x1.158f1b42f1cb9p+49, -0x1.3ce53c2183723p+48},
+                       {-0x1.759887dbf1a68p-98, -0x1.635366bf6f161p-98, 0x1.919cf47aa3604p-100},
+                       {-0x1.b49b4390fac48p+327, -0x1.e0f950c201d5bp+326, 0x1.4e121ec9b9e5fp+326},
+                       {-0x1.dc9daba6abee8p-290, 0x1.23ff17a356f84p-290, 0x1.540767f790239p-290}};
+  const auto normal = most_normal(ring);
+  ASSERT_TRUE(normal);
+  EXPECT_TRUE(normal->in_visibility_cone);
+}
+
 TEST(MostNormalNormal, EndsSoonInLargeStarsAllOfWhoseTipsAreAsNear) {
   for (const int n : {64, 1000}) {
     std::vector<rings::Polar> polars;
