@@ -15,6 +15,10 @@ namespace {
 /// to the axis but for rounding.
 constexpr double kSteepest = 0x1p26;
 
+/// Neighbours that are no wider than this share of their length, as seen along the axis, lie on a line but for
+/// rounding.
+constexpr double kOnALine = 0x1p-40;
+
 /// Vectors to the neighbours, the nearest `kMaxFittedNeighbours` of them in the order given.
 struct Offsets {
   std::array<Vec3, kMaxFittedNeighbours> to;
@@ -96,6 +100,8 @@ std::optional<Slopes> slopes(Fit fit, const LocalHeights& local) {
 std::optional<Vec3> fitted_normal(Fit fit, const Vec3& point, const Vec3& axis, std::span<const Vec3> neighbours) {
   const auto local = local_heights(point, axis, neighbours);
   if (!local) return std::nullopt;
+  const bool is_line = local->y.abs().maxCoeff() < kOnALine * local->x.abs().maxCoeff();
+  if (is_line && fit != Fit::Shepard) return std::nullopt;
   const auto slope = slopes(fit, *local);
   if (!slope || !(slope->array().abs() < kSteepest).all()) return std::nullopt;
   return normal_of_slopes(local->frame, (*slope)[0], (*slope)[1]);

@@ -41,6 +41,25 @@ TEST(FittedNormal, GivesNothingWhereTheFitIsOpen) {
   }
 }
 
+TEST(FittedNormal, GivesNothingOnALineWhosePointsAreRounded) {
+  // Slopes to the point of 2 but for the last bit: the line's width is rounding, and so is any slope across it.
+  const Vec3 point(0.06819950140572642, -1.2356175815256973, -0.6785197133775542);
+  const std::vector<Vec3> on_a_line = {{-0.6595460021601132, -2.6911085886573765, -0.9298531875180229},
+                                       {1.1652332924046929, 0.9584500004722356, -0.29964919808028684},
+                                       {-1.7147888540554157, -4.801594292447982, -1.2942908250289606}};
+  Random random(14);
+  for (const Fit fit : kFits) {
+    if (fit == Fit::Shepard) continue;
+    EXPECT_FALSE(fitted_normal(fit, point, {0, 0, 1}, on_a_line)) << name(fit);
+    for (int trial = 0; trial < 200; ++trial) {
+      const Vec3 start = random.direction(), along = random.direction(), axis = random.direction();
+      std::vector<Vec3> neighbours;
+      for (int k = 0; k < 7; ++k) neighbours.push_back(start + along * random.uniform(-3, 3));
+      EXPECT_FALSE(fitted_normal(fit, start, axis, neighbours)) << name(fit) << " " << trial;
+    }
+  }
+}
+
 TEST(FittedNormal, GivesNothingWhereTheFitIsOpenButForRounding) {
   Random random(13);
   for (int trial = 0; trial < 50; ++trial) {
