@@ -21,6 +21,17 @@ constexpr double kFlat = 1e-10;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
+/// Whether the fluid is on the outside of a ring that lies in a cap smaller than a hemisphere: whether the ring runs
+/// clockwise, projected from the apex upon the plane that touches the sphere in the cap's centre.
+bool is_clockwise_about(const Vec3& centre, const Ring& ring) {
+  double doubled_area = 0;
+  for (std::size_t k = 0; k < ring.arcs().size(); ++k) {
+    const Vec3 &start = ring.arcs()[k].start, &end = ring.arcs()[ring.after(k)].start;
+    doubled_area += dot(centre, cross(start - centre, end - centre)) / (dot(start, centre) * dot(end, centre));
+  }
+  return doubled_area < 0;
+}
+
 /// Of a ring that fits into a cap smaller than a hemisphere, with the fluid round the other end: that end, Eq. (3).
 std::optional<NormalNormal> opposite_of_cap(const Ring& ring) {
   Scratch<Vec3> starts(ring.arcs().size());
@@ -28,10 +39,8 @@ std::optional<NormalNormal> opposite_of_cap(const Ring& ring) {
   const Cap cap = smallest_cap(starts.all());
   const double radius = geometry::angle_of_chord(cap.squared_chord);
   if (cap.centre == Vec3{} || !(radius < kRightAngle - kSurelyObtuse)) return std::nullopt;
+  if (!is_clockwise_about(cap.centre, ring)) return std::nullopt;
   const Vec3 x = -cap.centre;
-  // The vertex nearest to x is one that the cap rests on, and the fluid is on the side that its two faces look to.
-  const std::size_t k = cap.seat[0];
-  if (!(dot(x, ring.arcs()[k].normal + ring.arcs()[ring.before(k)].normal) > 0)) return std::nullopt;
   return NormalNormal{x, 2.0 * kRightAngle - radius, ring.is_seen(x)};
 }
 

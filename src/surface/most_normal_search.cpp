@@ -53,10 +53,14 @@ bool Search::is_in_zone(const Vec3& x, std::size_t q) const {
   return dot(x, ring_.arcs()[k].ahead) <= kZone && dot(x, ring_.arcs()[ring_.before(k)].beyond) >= -kZone;
 }
 
+/// Whether a direction is in the fluid, as far as this search is concerned: nothing obtuse is, and round the far end of
+/// a spike rounding hides which vertex is nearest, and so the side.
+bool Search::is_in_question(const Place& place) { return place.is_inside && place.distance.cosine > -kTie; }
+
 /// Takes x as the best direction if it is better by more than `gain`.
 bool Search::raise(const Vec3& x, double gain) {
   const Place place = ring_.place(x);
-  if (!place.is_inside || !is_less(moved(best_.distance, gain), place.distance)) return false;
+  if (!is_in_question(place) || !is_less(moved(best_.distance, gain), place.distance)) return false;
   best_ = {x, place.distance, place.site};
   top_.reset();
   return true;
@@ -184,7 +188,7 @@ Search::Preferred Search::preferred() {
   const std::size_t any = number(0);
   Preferred nearest{best_.direction, any, any};
   const auto choose = [&](const Vec3& x, std::size_t i, std::size_t j) {
-    if (is_nearer_to_most_visible(x, nearest.direction) && ring_.place(x).is_inside) nearest = {x, i, j};
+    if (is_nearer_to_most_visible(x, nearest.direction) && is_in_question(ring_.place(x))) nearest = {x, i, j};
   };
   if (!is_less(ring_.place(ring_.most_visible()).distance, enough)) return {ring_.most_visible(), any, any};
   for (std::size_t k = 0; k < n_sites(); ++k) {

@@ -58,6 +58,7 @@ class Search {
   Vec3 foot(const Vec3& x, std::size_t q) const;
   bool is_in_zone(const Vec3& x, std::size_t q) const;
 
+  static bool is_in_question(const Place& place);
   bool keeps_clear(const Vec3& x, const Level& level) { return ring_.keeps_clear(x, level, order_.all()); }
   bool raise(const Vec3& x, double gain = 0);
   bool raise_from(const Support& support);
