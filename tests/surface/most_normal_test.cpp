@@ -250,6 +250,20 @@ TEST(MostNormalNormal, GoesRoundOnceWhereNeighboursAreOppositeToTheLastDigit) {
   EXPECT_TRUE(normal->in_visibility_cone);
 }
 
+TEST(MostNormalNormal, StaysInHolesAsThinAsNeedles) {
+  Random random(8);
+  int n_found = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double width = std::pow(10, random.uniform(-8.5, -7));
+    const Points ring = rings::star(random, 40, [&](int) { return width * random.uniform(0.3, 1); });
+    const auto normal = most_normal(ring);
+    if (!normal) continue;  // rounding of the points has closed the thinnest cones
+    ++n_found;
+    EXPECT_LT(normal->min_distance, width) << i;
+  }
+  EXPECT_GT(n_found, 150);
+}
+
 TEST(MostNormalNormal, EndsSoonInLargeStarsAllOfWhoseTipsAreAsNear) {
   for (const int n : {64, 1000}) {
     std::vector<rings::Polar> polars;
