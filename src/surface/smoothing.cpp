@@ -59,34 +59,45 @@ struct Neighbours {
   }
 };
 
-/// Appends the vertices that a smooth or ridge vertex looks at.
-void append_ring(const mesh::Topology& topology, const Features& features, VertexId v, std::vector<VertexId>& ring) {
+/// Calls `body(w)` for each vertex that a smooth or ridge vertex looks at.
+template <class Body>
+void for_each_in_sight(const mesh::Topology& topology, const Features& features, VertexId v, const Body& body) {
   if (features.kind[v] != PointKind::Ridge) {
-    topology.for_each_neighbour(v, [&](VertexId w) { ring.push_back(w); });
+    topology.for_each_neighbour(v, body);
     return;
   }
   for (const HalfedgeId h : topology.fan(v)) {
-    if (features.is_ridge[h]) ring.push_back(topology.target(h));
+    if (features.is_ridge[h]) body(topology.target(h));
   }
 }
 
 Neighbours find_neighbours(const mesh::Topology& topology, const Features& features,
                            const IdVector<VertexId, PointNormal>& normals, const IdVector<VertexId, char>& is_held) {
+  IdVector<VertexId, std::uint32_t> n_in_sight(normals.size());
+  parallel_for(normals.size(), [&](std::size_t i) {
+    const VertexId v(i);
+    const PointKind kind = features.kind[v];
+    std::uint32_t n = 0;
+    if ((is_held.empty() || !is_held[v]) && (kind == PointKind::Smooth || kind == PointKind::Ridge) &&
+        normals[v].is_visible) {
+      for_each_in_sight(topology, features, v, [&](VertexId) { ++n; });
+    }
+    n_in_sight[v] = n;
+  });
   Neighbours neighbours;
   neighbours.moving.reserve(normals.size());
   neighbours.offset.reserve(normals.size() + 1);
-  neighbours.neighbour.reserve(3 * topology.n_faces());
   neighbours.offset.push_back(0);
   for (const VertexId v : normals.ids()) {
-    const PointKind kind = features.kind[v];
-    if (!is_held.empty() && is_held[v]) continue;
-    if ((kind != PointKind::Smooth && kind != PointKind::Ridge) || !normals[v].is_visible) continue;
-    const std::size_t before = neighbours.neighbour.size();
-    append_ring(topology, features, v, neighbours.neighbour);
-    if (neighbours.neighbour.size() == before) continue;
+    if (n_in_sight[v] == 0) continue;
     neighbours.moving.push_back(v);
-    neighbours.offset.push_back(static_cast<std::uint32_t>(neighbours.neighbour.size()));
+    neighbours.offset.push_back(neighbours.offset.back() + n_in_sight[v]);
   }
+  neighbours.neighbour.resize(neighbours.offset.back());
+  parallel_for(neighbours.moving.size(), [&](std::size_t i) {
+    VertexId* next = neighbours.neighbour.data() + neighbours.offset[i];
+    for_each_in_sight(topology, features, neighbours.moving[i], [&](VertexId w) { *next++ = w; });
+  });
   return neighbours;
 }
 
@@ -181,7 +192,7 @@ void smooth_normals(const mesh::SurfaceMesh& surface, const mesh::Topology& topo
   std::vector<Room> rooms(neighbours.moving.size());
   for_each([&](std::size_t i, VertexId v, Tools&) { rooms[i] = room_of(normals[v]); });
   IdVector<VertexId, Vec3> current(normals.size());
-  for (const VertexId v : normals.ids()) current[v] = normals[v].direction;
+  parallel_for(normals.size(), [&](std::size_t i) { current[VertexId(i)] = normals[VertexId(i)].direction; });
   IdVector<VertexId, Vec3> next = current, shrunk;
 
   // Every step reads the array that the step before has written, whole: the order of the vertices plays no part.
