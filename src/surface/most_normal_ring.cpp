@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/geometry/angles.h"
 #include "surface/normals_cap.h"
+#include "surface/normals_existence.h"
 #include "surface/normals_visible.h"
 
 namespace nearwall::surface {
@@ -21,6 +23,9 @@ constexpr double kThin = 0x1p-9;
 
 /// Sine by which a vertex may stick out into the solid and still count as reflex: a site too many does no harm.
 constexpr double kFlat = 1e-12;
+
+/// In cones thinner than this [rad] rounded normals may see what the faces hide.
+constexpr double kDoubtful = 0x1p-40;
 
 /// A computed sine above another by this much belongs to a larger angle.
 constexpr double kSineRounding = 0x1p-50;
@@ -85,6 +90,7 @@ bool Ring::prepare(const Vec3& apex, std::span<const Vec3> neighbours) {
   if (!is_finite(apex)) throw InputError("most_normal_normal: expected a finite apex, found one that is not");
   Scratch<Vec3> starts(neighbours.size());
   Scratch<Edge> edges(neighbours.size());
+  Scratch<Vec3> points(neighbours.size());
   const auto is_same = [](const Vec3& p, const Vec3& q) {
     return dot(p, q) > 0 && squared_norm(cross(p, q)) <= kNoArc * kNoArc;
   };
@@ -93,7 +99,9 @@ bool Ring::prepare(const Vec3& apex, std::span<const Vec3> neighbours) {
     const Edge edge = edge_to(neighbour, apex);
     const Vec3 start = unit_vector(edge.high);
     is_open |= start == Vec3{};
-    if (starts.all().empty() || !is_same(starts.all().back(), start)) starts.add(start), edges.add(edge);
+    if (starts.all().empty() || !is_same(starts.all().back(), start)) {
+      starts.add(start), edges.add(edge), points.add(neighbour);
+    }
   }
   std::span<const Vec3> p = starts.all();
   while (p.size() > 1 && is_same(p.back(), p.front())) p = p.first(p.size() - 1);
@@ -111,15 +119,17 @@ bool Ring::prepare(const Vec3& apex, std::span<const Vec3> neighbours) {
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (dot(arcs_.all()[before(k)].normal, arcs_.all()[after(k)].start) <= kFlat) reflex_.add(k);
   }
-  return find_most_visible() && goes_round_once();
+  return find_most_visible(apex, points.all().first(p.size())) && goes_round_once();
 }
 
-bool Ring::find_most_visible() {
+bool Ring::find_most_visible(const Vec3& apex, std::span<const Vec3> points) {
   Scratch<Vec3> normals(arcs().size());
   for (const Arc& arc : arcs()) normals.add(arc.normal);
   const auto visible = most_visible_of(normals.all(), normals.all());
-  if (visible) most_visible_ = visible->direction;
-  return visible.has_value();
+  if (!visible) return false;
+  most_visible_ = visible->direction;
+  // The normals are rounded: a cone this thin may be theirs alone.
+  return visible->max_angle < geometry::kPi / 2 - kDoubtful || some_direction_sees(apex, points);
 }
 
 bool Ring::goes_round_once() const {

@@ -77,7 +77,8 @@ class Ring {
   bool is_seen(const Vec3& x) const;
 
  private:
-  bool find_most_visible();
+  /// \param points  the starts of the arcs, as given
+  bool find_most_visible(const Vec3& apex, std::span<const Vec3> points);
   bool goes_round_once() const;
   bool is_nearer(const Arc& arc, const Vec3& x, const Level& level) const;
 

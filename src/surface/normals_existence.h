@@ -13,4 +13,9 @@ namespace nearwall::surface {
 /// Cost: expected O(n) rational operations. Source: Seidel 1991; docs/theory/normals.md.
 std::optional<Vec3> find_seeing_direction(std::span<const Vec3> normals);
 
+/// Whether some direction sees all faces between successive points of a ring and the apex, decided for the points given
+/// rather than for their normals, which are rounded. Faces without area are passed over.
+/// \param ring  finite, counterclockwise seen from outside    Cost: as above.
+bool some_direction_sees(const Vec3& apex, std::span<const Vec3> ring);
+
 }  // namespace nearwall::surface

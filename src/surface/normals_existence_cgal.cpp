@@ -1,7 +1,6 @@
 #include "surface/normals_existence.h"
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -77,34 +76,51 @@ RationalVec lean_towards(const RationalVec& axis, const RationalVec& direction, 
   return direction + axis * step;
 }
 
-std::vector<RationalVec> shuffled(std::span<const Vec3> normals) {
-  std::vector<std::size_t> order(normals.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+RationalVec exact(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+void shuffle(std::vector<RationalVec>& normals) {
   std::minstd_rand random;  // always the same seed: the same input gives the same result
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-  std::vector<RationalVec> result;
-  result.reserve(order.size());
-  for (const std::size_t i : order) result.push_back({normals[i].x(), normals[i].y(), normals[i].z()});
-  return result;
+  for (std::size_t i = normals.size(); i > 1; --i) std::swap(normals[i - 1], normals[random() % i]);
+}
+
+/// \param normals  in random order, at least one
+std::optional<RationalVec> seeing_direction(std::span<const RationalVec> normals) {
+  // One normal after the other. `direction` sees all so far; if it does not see the next one, then a direction that
+  // does exists if and only if some direction in the next one's plane sees all so far.
+  RationalVec direction = normals[0];
+  for (std::size_t k = 1; k < normals.size(); ++k) {
+    if (sign(dot(normals[k], direction)) > 0) continue;
+    const std::span<const RationalVec> before = normals.first(k);
+    const std::optional<Arc> arc = seeing_arc(normals[k], before);
+    if (!arc) return std::nullopt;
+    direction = lean_towards(normals[k], arc->middle(), before);
+  }
+  return direction;
 }
 
 }  // namespace
 
 std::optional<Vec3> find_seeing_direction(std::span<const Vec3> normals) {
-  // One normal after the other. `direction` sees all so far; if it does not see the next one, then a direction that
-  // does exists if and only if some direction in the next one's plane sees all so far.
-  const std::vector<RationalVec> exact = shuffled(normals);
-  RationalVec direction = exact[0];
-  for (std::size_t k = 1; k < exact.size(); ++k) {
-    if (sign(dot(exact[k], direction)) > 0) continue;
-    const std::span<const RationalVec> before(exact.data(), k);
-    const std::optional<Arc> arc = seeing_arc(exact[k], before);
-    if (!arc) return std::nullopt;
-    direction = lean_towards(exact[k], arc->middle(), before);
+  std::vector<RationalVec> exact_normals;
+  for (const Vec3& normal : normals) exact_normals.push_back(exact(normal));
+  shuffle(exact_normals);
+  const std::optional<RationalVec> direction = seeing_direction(exact_normals);
+  if (!direction) return std::nullopt;
+  const Rational scale = Rational(1) / largest_component(*direction);
+  return normalized({CGAL::to_double(direction->x * scale), CGAL::to_double(direction->y * scale),
+                     CGAL::to_double(direction->z * scale)});
+}
+
+bool some_direction_sees(const Vec3& apex, std::span<const Vec3> ring) {
+  std::vector<RationalVec> normals;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Vec3& next = ring[k + 1 == ring.size() ? 0 : k + 1];
+    const RationalVec normal = cross(exact(ring[k]) + -exact(apex), exact(next) + -exact(apex));
+    if (sign(largest_component(normal)) != 0) normals.push_back(normal);
   }
-  const Rational scale = Rational(1) / largest_component(direction);
-  return normalized({CGAL::to_double(direction.x * scale), CGAL::to_double(direction.y * scale),
-                     CGAL::to_double(direction.z * scale)});
+  if (normals.empty()) return false;
+  shuffle(normals);
+  return seeing_direction(normals).has_value();
 }
 
 }  // namespace nearwall::surface

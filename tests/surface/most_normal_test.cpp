@@ -171,6 +171,18 @@ TEST(MostNormalNormal, IsNoneWhereNothingSeesAllFaces) {
   EXPECT_FALSE(most_normal({{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 1}}));
 }
 
+TEST(MostNormalNormal, IsNoneWhereOnlyRoundedNormalsLeaveACone) {
+  // In fractions of these numbers zero is in the hull of the faces' normals, by less than their rounding.
+  const std::vector<Vec3> ring = {{0x1.99feeb659b5a0p-4, -0x1.fd6d7bd018abfp-1, 0x1.f06f35e7bf400p-10},
+                                  {0x1.81ecfde895852p-3, 0x1.5537b8d67f280p-6, 0x1.f6b6da0721218p-1},
+                                  {0x1.f435729f231b1p-1, 0x1.91192b98101c0p-4, -0x1.8441944dc3dd3p-3},
+                                  {0x1.e2c2d8aec5bf6p-1, 0x1.1a663f225a3c2p-2, -0x1.7e9684a230066p-3},
+                                  {0x1.dd6688ec4a99ap-1, 0x1.3d8cb9531ae6ap-2, -0x1.7bf6bfbf01658p-3},
+                                  {-0x1.ec160c884caabp-3, -0x1.efd3de8b660bep-1, 0x1.1104e95acee0cp-4},
+                                  {-0x1.ff52be973ec40p-7, -0x1.ffc9a8fd99a57p-1, 0x1.8c7170c95bfc6p-6}};
+  EXPECT_FALSE(most_normal_normal({0, 0, 0}, ring));
+}
+
 TEST(MostNormalNormal, IsNoneForRingsThatDoNotGoRoundOnce) {
   Points twice;
   for (int i = 0; i < 10; ++i) {

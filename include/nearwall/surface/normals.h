@@ -39,11 +39,10 @@ struct NormalNormal {
 /// \param ring  neighbours counterclockwise seen from outside, in at least three directions (those within 1e-15 rad
 /// count as one); faces join successive ones and close up
 /// \returns  nullopt if a neighbour is in the apex or successive ones are exactly opposite (a face without area), if no
-/// direction sees all faces (a cone of less than about 1e-15 rad is taken either way), or if the ring does not go round
-/// once
+/// direction sees all faces (a cone of less than about 1e-15 rad may be missed), or if the ring does not go round once
 /// \throws   InputError if a coordinate is not finite
-/// Distance optimal to 1e-9 rad. Cost: O(n) at most vertices, else O(n^2), 1 to 5 ms for n = 128. No memory for n
-/// <= 24.
+/// Distance optimal to 1e-9 rad. Cost: O(n) at most vertices, else O(n^2), 1 to 5 ms for n = 128. Up to 24 neighbours
+/// take no memory.
 std::optional<NormalNormal> most_normal_normal(const Vec3& apex, std::span<const Vec3> ring);
 
 /// Weight of a face at its vertex A in a weighted normal, with b, c the lengths of its edges at A, alpha the angle
