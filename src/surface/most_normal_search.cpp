@@ -102,7 +102,9 @@ bool Search::visit_corners(double step, double slack, Visit&& visit) {
     const Site a = site(i);
     for (std::size_t earlier = 0; earlier < later; ++earlier) {
       const std::size_t j = sites.all()[earlier];
-      for (const Vec3& x : at_level(a, site(j), level).all()) {
+      // The points have a name: what a temporary holds is gone before the loop begins.
+      const auto corners = at_level(a, site(j), level);
+      for (const Vec3& x : corners.all()) {
         if (!is_in_zone(x, i) || !is_in_zone(x, j) || !keeps_clear(x, clear)) continue;
         if (!visit(x, i, j)) return false;
         if (!is_less(reached, best_.distance)) continue;
@@ -118,17 +120,18 @@ bool Search::visit_corners(double step, double slack, Visit&& visit) {
 /// Calls `visit(x)` for what may be the top of a set that has a corner at sites i and j.
 template <class Visit>
 void Search::visit_candidates(std::size_t i, std::size_t j, Visit&& visit) const {
+  const auto visit_all = [&](const auto& points) {
+    for (const Vec3& x : points.all()) visit(x);
+  };
   const Site a = site(i), b = site(j);
-  if (i != j)
-    for (const Vec3& x : farthest_of_pair(a, b, ring_.most_visible()).all()) visit(x);
+  if (i != j) visit_all(farthest_of_pair(a, b, ring_.most_visible()));
   for (std::size_t third = 0; third < n_sites(); ++third) {
     const std::size_t k = number(third);
     if (k == i || k == j) continue;
     const Site c = site(k);
-    if (i != j)
-      for (const Vec3& x : equally_far(a, b, c).all()) visit(x);
-    for (const Vec3& x : farthest_of_pair(a, c, ring_.most_visible()).all()) visit(x);
-    for (const Vec3& x : farthest_of_pair(b, c, ring_.most_visible()).all()) visit(x);
+    if (i != j) visit_all(equally_far(a, b, c));
+    visit_all(farthest_of_pair(a, c, ring_.most_visible()));
+    visit_all(farthest_of_pair(b, c, ring_.most_visible()));
   }
 }
 
