@@ -28,7 +28,8 @@ struct Directions {
   std::size_t n = 0;
 
   void add(const Vec3& x) { at[n++] = x; }
-  std::span<const Vec3> all() const { return {at.data(), n}; }
+  std::span<const Vec3> all() const& { return {at.data(), n}; }
+  std::span<const Vec3> all() && = delete;  // would point into what is gone
 };
 
 /// Directions whose distance from both sites is the level's; at an arc and its own end, the one where their level
