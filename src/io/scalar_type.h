@@ -49,19 +49,22 @@ inline bool is_real(ScalarType type) {
   return with_type(type, [](auto value) { return std::is_floating_point_v<decltype(value)>; });
 }
 
-/// One value of `type` at `from`, as T. Reals that do not fit an integer T become its −1.
+/// A value of a file as T. Reals that do not fit an integer T become its −1.
+template <class T, class Value>
+T converted(Value value) {
+  if constexpr (std::is_floating_point_v<Value> && std::is_integral_v<T>) {
+    constexpr double kEdge = 9.0e18;  // inside the range of 64-bit integers
+    const double wide = static_cast<double>(value);
+    return wide > -kEdge && wide < kEdge ? static_cast<T>(wide) : T{-1};
+  } else {
+    return static_cast<T>(value);
+  }
+}
+
+/// One value of `type` at `from`, as T.
 template <class T>
 T decode_as(ScalarType type, const char* from, std::endian order) {
-  return with_type(type, [&](auto kind) {
-    const auto value = Cursor::decode<decltype(kind)>(from, order);
-    if constexpr (std::is_floating_point_v<decltype(kind)> && std::is_integral_v<T>) {
-      constexpr double kEdge = 9.0e18;  // inside the range of 64-bit integers
-      const double wide = static_cast<double>(value);
-      return wide > -kEdge && wide < kEdge ? static_cast<T>(wide) : T{-1};
-    } else {
-      return static_cast<T>(value);
-    }
-  });
+  return with_type(type, [&](auto kind) { return converted<T>(Cursor::decode<decltype(kind)>(from, order)); });
 }
 
 }  // namespace nearwall::io

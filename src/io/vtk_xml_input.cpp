@@ -1,16 +1,12 @@
 #include "io/vtk_xml_input.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace nearwall::io {
 namespace {
-
-/// No deflated data grows by more on unpacking: what claims more is damaged.
-constexpr std::uint64_t kMostInflation = 1040;
 
 ScalarType scalar_type(std::string_view name) {
   if (name == "Int8" || name == "String") return ScalarType::Int8;
@@ -26,36 +22,22 @@ ScalarType scalar_type(std::string_view name) {
   return ScalarType::None;
 }
 
-int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-/// Decodes `n` bytes at the cursor and passes their last group of four characters.
-std::string take_base64(Cursor& in, std::uint64_t n) {
-  const auto n_bytes = static_cast<std::size_t>(n);
-  if (n > in.left()) in.fail(fmt::format("expected {} bytes in base64, found the end of the file", n));
-  const std::string_view text = in.bytes((n_bytes + 2) / 3 * 4, "base64 data");
-  std::string out;
-  out.reserve(n_bytes + 2);
-  for (std::size_t i = 0; i < text.size(); i += 4) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const char c = text[i + k];
-      const int digit = c == '=' ? 0 : base64_digit(c);
-      if (digit < 0) in.fail_expected("base64 data", text.substr(i + k, 1));
-      group = group << 6 | static_cast<std::uint32_t>(digit);
+/// Decodes `bytes`, whole values of `type`, as values of T and hands them on in runs.
+template <class T>
+void decode_runs(std::string_view bytes, ScalarType type, std::endian order, const TakeRun<T>& take) {
+  constexpr std::size_t kRun = 4096;
+  std::vector<T> run;
+  with_type(type, [&](auto kind) {
+    constexpr std::size_t kWidth = sizeof(kind);
+    for (std::size_t at = 0; at < bytes.size();) {
+      run.resize(std::min(kRun, (bytes.size() - at) / kWidth));
+      for (T& value : run) {
+        value = converted<T>(Cursor::decode<decltype(kind)>(bytes.data() + at, order));
+        at += kWidth;
+      }
+      take(run);
     }
-    for (const int shift : {16, 8, 0}) out += static_cast<char>(group >> shift & 0xff);
-  }
-  out.resize(n_bytes);
-  return out;
-}
-
-std::string take(Cursor& in, std::uint64_t n, bool is_base64) {
-  return is_base64 ? take_base64(in, n) : std::string(in.bytes(static_cast<std::size_t>(n), "data of an array"));
+  });
 }
 
 }  // namespace
@@ -132,7 +114,7 @@ void VtkXmlInput::open(const XmlTag& tag) {
     arrays_.push_back({pieces_.empty() ? 0 : pieces_.size() - 1, open_.back(), tag});
   }
   if (tag.name == "AppendedData") {
-    is_appended_base64_ = tag.attribute("encoding") == "base64";
+    encoding_.is_base64 = tag.attribute("encoding") == "base64";
     const std::size_t underscore = in_.all().find('_', in_.offset());
     if (underscore == std::string_view::npos) in_.fail("the appended data does not begin with '_'");
     appended_ = underscore + 1;
@@ -141,11 +123,11 @@ void VtkXmlInput::open(const XmlTag& tag) {
 
 void VtkXmlInput::read_file_tag(const XmlTag& tag) {
   type_ = tag.attribute("type");
-  order_ = tag.attribute("byte_order") == "BigEndian" ? std::endian::big : std::endian::little;
-  has_wide_headers_ = tag.attribute("header_type") == "UInt64";
+  encoding_.order = tag.attribute("byte_order") == "BigEndian" ? std::endian::big : std::endian::little;
+  encoding_.has_wide_headers = tag.attribute("header_type") == "UInt64";
   const std::string_view compressor = tag.attribute("compressor");
-  is_compressed_ = !compressor.empty();
-  if (is_compressed_ && compressor != "vtkZLibDataCompressor") {
+  encoding_.is_compressed = !compressor.empty();
+  if (encoding_.is_compressed && compressor != "vtkZLibDataCompressor") {
     in_.fail(fmt::format("data packed by {} cannot be read; save the file with zlib or without compression",
                          quoted(compressor)));
   }
@@ -174,98 +156,77 @@ Cursor VtkXmlInput::at(const XmlArray& array) const {
   return where;
 }
 
-std::uint64_t VtkXmlInput::header_number(Cursor& in) const {
-  return has_wide_headers_ ? in.value<std::uint64_t>(order_, "the size of an array")
-                           : in.value<std::uint32_t>(order_, "the size of an array");
-}
-
-std::string VtkXmlInput::raw_bytes(const XmlArray& array, Cursor& where) const {
-  const bool is_appended = array.tag.attribute("format") == "appended";
-  const bool is_base64 = !is_appended || is_appended_base64_;
-  if (!is_appended) {
+XmlData VtkXmlInput::data_of(const XmlArray& array) const {
+  Cursor where = at(array);
+  XmlEncoding encoding = encoding_;
+  if (array.tag.attribute("format") != "appended") {
+    encoding.is_base64 = true;
     const std::size_t begin = where.all().find_first_not_of(" \t\r\n", where.offset());
     where.seek(std::min(begin, where.all().size()));
   }
-  if (is_compressed_) return compressed_bytes(where, is_base64);
-  const std::size_t width = has_wide_headers_ ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
-  if (!is_base64) return take(where, header_number(where), false);
-  // In base64 the size and the data are one run of characters.
-  Cursor again = where;
-  const std::string size_bytes = take_base64(again, width);
-  Cursor size_in(size_bytes, where.file());
-  const std::uint64_t n = header_number(size_in);
-  if (n > where.left()) where.fail(fmt::format("an array claims {} bytes, more than the file has", n));
-  return take_base64(where, n + width).substr(width);
-}
-
-/// Number of blocks, size of a block, size of the last one (0: whole), packed sizes; then the blocks.
-std::string VtkXmlInput::compressed_bytes(Cursor& where, bool is_base64) const {
-  const std::size_t width = has_wide_headers_ ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
-  Cursor peek = where;
-  const std::string first = take(peek, width, is_base64);
-  Cursor first_in(first, where.file());
-  const std::uint64_t n_blocks = header_number(first_in);
-  if (n_blocks > where.left() / width)
-    where.fail(fmt::format("an array claims {} blocks, more than fit the file", n_blocks));
-  if (n_blocks == 0) return {};
-
-  const std::string header = take(where, (3 + n_blocks) * width, is_base64);
-  Cursor in(header, where.file());
-  header_number(in);
-  const std::uint64_t block = header_number(in);
-  const std::uint64_t last = header_number(in);
-  std::vector<std::uint64_t> packed(n_blocks);
-  std::uint64_t n_packed = 0;
-  for (std::uint64_t& n : packed) {
-    n = header_number(in);
-    if (n > where.left() || n_packed + n > where.left())
-      where.fail("a packed block reaches beyond the end of the file");
-    n_packed += n;
-  }
-  const std::string data = take(where, n_packed, is_base64);
-  std::string out;
-  std::size_t at = 0;
-  for (std::size_t b = 0; b < packed.size(); ++b) {
-    const std::uint64_t size = b + 1 == packed.size() && last > 0 ? last : block;
-    if (size > kMostInflation * (packed[b] + 1)) where.fail("a packed block claims more bytes than it can hold");
-    const std::size_t before = out.size();
-    out.resize(before + static_cast<std::size_t>(size));
-    uLongf n = size;
-    const int result = uncompress(reinterpret_cast<Bytef*>(out.data() + before), &n,
-                                  reinterpret_cast<const Bytef*>(data.data() + at), packed[b]);
-    if (result != Z_OK || n != size) where.fail("a packed block is damaged");
-    at += static_cast<std::size_t>(packed[b]);
-  }
-  return out;
+  return {where, encoding};
 }
 
 template <class T>
-std::vector<T> VtkXmlInput::values(const XmlArray& array) const {
-  Cursor where = at(array);
+void VtkXmlInput::read_ascii(Cursor where, const TakeRun<T>& take) const {
+  const std::size_t end = std::min(where.all().find('<', where.offset()), where.all().size());
+  Cursor text(where.all().substr(0, end), where.file());
+  text.enter_binary();
+  text.seek(where.offset());
+  for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
+    T value;
+    if constexpr (std::is_integral_v<T>) {
+      value = text.to_integer(word, "a value");
+    } else {
+      value = text.to_number(word, "a value");
+    }
+    take(std::span<const T>(&value, 1));
+  }
+}
+
+template <class T>
+void VtkXmlInput::read_values(const XmlArray& array, const Announce& announce, const TakeRun<T>& take) const {
+  const Cursor where = at(array);
   const ScalarType type = scalar_type(array.tag.attribute("type"));
   if (type == ScalarType::None) {
     where.fail_expected(fmt::format("a number type for array '{}'", quoted(array.name())), array.tag.attribute("type"));
   }
-  std::vector<T> out;
-  if (array.tag.attribute("format") == "ascii") {
-    const std::size_t end = std::min(where.all().find('<', where.offset()), where.all().size());
-    Cursor text(where.all().substr(0, end), where.file());
-    text.enter_binary();
-    text.seek(where.offset());
-    for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
-      if constexpr (std::is_integral_v<T>) {
-        out.push_back(text.to_integer(word, "a value"));
-      } else {
-        out.push_back(text.to_number(word, "a value"));
-      }
-    }
-    return out;
-  }
-  const std::string bytes = raw_bytes(array, where);
+  if (array.tag.attribute("format") == "ascii") return read_ascii<T>(where, take);
+
+  const XmlData data = data_of(array);
   const std::size_t width = size_of(type);
-  if (bytes.size() % width != 0) where.fail(fmt::format("array '{}' ends within a value", quoted(array.name())));
-  out.resize(bytes.size() / width);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = decode_as<T>(type, bytes.data() + i * width, order_);
+  if (data.n_bytes() % width != 0) where.fail(fmt::format("array '{}' ends within a value", quoted(array.name())));
+  announce(static_cast<std::size_t>(data.n_bytes() / width));
+  std::string split;  // the bytes so far of a value that begins in one run and ends in another
+  data.for_each_run([&](std::string_view run) {
+    if (!split.empty()) {
+      const std::size_t missing = std::min(width - split.size(), run.size());
+      split += run.substr(0, missing);
+      run.remove_prefix(missing);
+      if (split.size() < width) return;
+      decode_runs<T>(split, type, encoding_.order, take);
+    }
+    const std::size_t whole = run.size() / width * width;
+    split = run.substr(whole);
+    decode_runs<T>(run.substr(0, whole), type, encoding_.order, take);
+  });
+}
+
+void VtkXmlInput::read_reals(const XmlArray& array, const Announce& announce, const TakeRun<double>& take) const {
+  read_values<double>(array, announce, take);
+}
+
+void VtkXmlInput::read_integers(const XmlArray& array, const Announce& announce,
+                                const TakeRun<std::int64_t>& take) const {
+  read_values<std::int64_t>(array, announce, take);
+}
+
+template <class T>
+std::vector<T> VtkXmlInput::values(const XmlArray& array) const {
+  std::vector<T> out;
+  read_values<T>(
+      array, [&](std::size_t n) { out.reserve(n); },
+      [&](std::span<const T> run) { out.insert(out.end(), run.begin(), run.end()); });
   return out;
 }
 

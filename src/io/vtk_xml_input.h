@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/cursor.h"
 #include "io/scalar_type.h"
+#include "io/vtk_xml_data.h"
 
 namespace nearwall::io {
 
@@ -32,8 +35,12 @@ struct XmlArray {
   std::string_view name() const { return tag.attribute("Name"); }
 };
 
-/// The structure of a VTK XML file (PolyData and its like) and the numbers of its arrays, in all encodings that VTK's
-/// writers make: ascii, base64 and appended, raw or base64, plain or zlib. Positions in messages are bytes.
+/// Where the values of an array go, run by run.
+template <class T>
+using TakeRun = std::function<void(std::span<const T>)>;
+
+/// The structure of a VTK XML file (PolyData, UnstructuredGrid) and the numbers of its arrays, in all encodings that
+/// VTK's writers make: ascii, base64 and appended, raw or base64, plain or zlib. Positions in messages are bytes.
 class VtkXmlInput {
  public:
   /// Reads the tags. The bytes must outlive it.
@@ -45,6 +52,13 @@ class VtkXmlInput {
   /// A count of a piece's tag such as NumberOfPoints; 0 if there is none.
   std::int64_t count_of(std::size_t piece, std::string_view attribute) const;
 
+  /// The values run by run, in their order: announce(n) with their number beforehand, unless they are ascii, then
+  /// take(run) for each run. Never more in memory than some blocks of the file.
+  using Announce = std::function<void(std::size_t)>;
+  void read_reals(const XmlArray& array, const Announce& announce, const TakeRun<double>& take) const;
+  void read_integers(const XmlArray& array, const Announce& announce, const TakeRun<std::int64_t>& take) const;
+
+  /// The same, whole.
   std::vector<double> reals(const XmlArray& array) const;
   std::vector<std::int64_t> integers(const XmlArray& array) const;
   /// Strings, each with a zero behind it.
@@ -58,18 +72,17 @@ class VtkXmlInput {
   void read_attributes(XmlTag& tag, std::string_view text);
   void open(const XmlTag& tag);
   void read_file_tag(const XmlTag& tag);
+  XmlData data_of(const XmlArray& array) const;
+  template <class T>
+  void read_ascii(Cursor where, const TakeRun<T>& take) const;
+  template <class T>
+  void read_values(const XmlArray& array, const Announce& announce, const TakeRun<T>& take) const;
   template <class T>
   std::vector<T> values(const XmlArray& array) const;
-  std::string raw_bytes(const XmlArray& array, Cursor& where) const;
-  std::string compressed_bytes(Cursor& where, bool is_base64) const;
-  std::uint64_t header_number(Cursor& in) const;
 
   Cursor in_;
   std::string_view type_;
-  std::endian order_ = std::endian::little;
-  bool has_wide_headers_ = false;
-  bool is_compressed_ = false;
-  bool is_appended_base64_ = false;
+  XmlEncoding encoding_;      // of appended arrays; inline ones are base64
   std::size_t appended_ = 0;  // offset behind the underscore; 0: none
   std::vector<std::string_view> open_;
   std::vector<XmlTag> pieces_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "io/vtk_cells.h"
 #include "io/vtk_xml_output.h"
 #include "nearwall/core/markup.h"
 #include "nearwall/core/parallel.h"
@@ -16,26 +17,6 @@ namespace {
 using mesh::CellBatch;
 using mesh::CellType;
 using mesh::PointBatch;
-
-/// How VTK numbers a cell, against the order of predicates/cells.h. Only the wedge differs: VTK's first triangle is
-/// clockwise seen from the second (its right-hand normal points out of the cell), ours counterclockwise.
-struct VtkCell {
-  std::uint8_t code;                 ///< VTK's cell type
-  std::array<std::uint8_t, 8> node;  ///< our index of VTK's node k
-};
-constexpr std::array<VtkCell, mesh::kNCellTypes> kVtkCells = {{
-    {10, {0, 1, 2, 3, 0, 0, 0, 0}},  // VTK_TETRA
-    {14, {0, 1, 2, 3, 4, 0, 0, 0}},  // VTK_PYRAMID
-    {13, {0, 2, 1, 3, 5, 4, 0, 0}},  // VTK_WEDGE
-    {12, {0, 1, 2, 3, 4, 5, 6, 7}},  // VTK_HEXAHEDRON
-}};
-
-/// Number of nodes by VTK's cell type.
-constexpr std::array<int, 15> kSizeOfCode = [] {
-  std::array<int, 15> size{};
-  for (std::size_t type = 0; type < mesh::kNCellTypes; ++type) size[kVtkCells[type].code] = mesh::kCellSize[type];
-  return size;
-}();
 
 constexpr std::size_t kBatchesAtOnce = 16;
 
@@ -165,7 +146,7 @@ class VtuWriter {
   template <class IdType>
   void append_offsets(RawArrays& raw) {
     for (const char code : raw[Types]) {
-      n_nodes_so_far_ += static_cast<std::uint64_t>(kSizeOfCode[static_cast<std::size_t>(code)]);
+      n_nodes_so_far_ += kVtkMeanings[static_cast<unsigned char>(code)].size;
       append_value(raw[Offsets], static_cast<IdType>(n_nodes_so_far_));
     }
   }
@@ -202,6 +183,13 @@ class VtuWriter {
 };
 
 }  // namespace
+
+CellArray numbers_in_file(const mesh::VolumeSource& source) {
+  return {"Cell", [&source](const CellBatch& cells, std::span<double> out) {
+            for (std::size_t i = 0; i < out.size(); ++i)
+              out[i] = static_cast<double>(source.file_cell(cells.first + i));
+          }};
+}
 
 void write_vtu(const std::filesystem::path& path, const mesh::MeshSource& mesh, std::span<const CellArray> extra,
                const VtuMetadata& metadata, ProgressSink* progress) {

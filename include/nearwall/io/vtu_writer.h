@@ -8,6 +8,7 @@
 
 #include "nearwall/core/progress.h"
 #include "nearwall/mesh/mesh_source.h"
+#include "nearwall/mesh/volume_source.h"
 
 namespace nearwall::io {
 
@@ -16,6 +17,9 @@ struct CellArray {
   std::string name;
   std::function<void(const mesh::CellBatch&, std::span<double>)> fill;  ///< one value for each cell of the batch
 };
+
+/// `Cell`: the numbers that the cells have in the file that they were read from. The source must outlive it.
+CellArray numbers_in_file(const mesh::VolumeSource& source);
 
 struct VtuMetadata {
   std::vector<std::string> patch_names;  ///< field data `PatchNames`; `Patch` indexes it

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "nearwall/mesh/volume_mesh.h"
+
+namespace nearwall::io {
+
+/// Cells of a file that enclose no volume, by their dimension. They are passed over.
+struct SkippedCells {
+  std::uint64_t points = 0;  ///< vertices, empty cells
+  std::uint64_t lines = 0;
+  std::uint64_t faces = 0;  ///< triangles, quads, polygons, strips
+
+  std::uint64_t all() const { return points + lines + faces; }
+};
+
+/// What a file of a volume mesh holds.
+struct VolumeFile {
+  mesh::VolumeMesh mesh;
+  SkippedCells skipped;
+  std::vector<std::string> patch_names;  ///< field data `PatchNames`; often empty
+};
+
+/// Reads the tetrahedra, pyramids, wedges and hexahedra of a VTK file of an unstructured grid, with all its points,
+/// cells in the file's order, nodes in the order of predicates/cells.h. Voxels become hexahedra. Pieces follow each
+/// other; points are not merged.
+///
+/// \param path  ends in vtu or vtk, upper or lower case, also with .gz behind it
+/// \throws InputError     no such file, a folder, an ending that is not known, or cells that are none of these: of
+///                        higher order, polyhedra
+///         IoError        no permission, read failure, no memory
+///         GeometryError  the content is malformed: file, then line, byte, point or cell (counted from 0), what was
+///                        expected
+/// Memory: the file and the mesh; for .vtk once more the nodes, in 64 bits. Formats: docs/formats.md.
+VolumeFile read_volume_mesh(const std::filesystem::path& path);
+
+/// Whether the name ends as those of meshes that `read_volume_mesh` reads.
+bool is_volume_name(const std::filesystem::path& path);
+
+}  // namespace nearwall::io

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/cursor.h"
+#include "io/polydata_input.h"
+#include "io/scalar_type.h"
+
+namespace nearwall::io {
+
+/// A legacy VTK file as both its readers see it, surfaces' and meshes': the header, points, cells, numbers in ascii and
+/// binary, and all the sections that stand in any data set. What may be patch numbers or their names is kept.
+class LegacyVtkInput {
+ public:
+  /// Reads the header. The bytes must outlive it.
+  LegacyVtkInput(std::string_view bytes, const std::string& file);
+
+  std::string_view dataset() const { return dataset_; }  ///< POLYDATA, UNSTRUCTURED_GRID ...
+  Cursor& cursor() { return in_; }
+
+  /// The keyword of the next section; empty at the end of the file.
+  std::string_view next_section() { return in_.word(); }
+  std::vector<Vec3> read_points();
+  /// Cells in the form of the file's version: sizes and points in one list, or from 5.1 on offsets.
+  CellList read_cells();
+  /// `n` values of `type`, which follow. \throws GeometryError if the file is too short for them.
+  std::vector<std::int64_t> read_integers(std::int64_t n, ScalarType type);
+  /// Sections of any data set: METADATA, FIELD, CELL_DATA, POINT_DATA and the arrays in them.
+  void read_other(std::string_view keyword);
+
+  std::vector<PolyDataInput::IntegerArray> take_cell_arrays() { return std::move(cell_arrays_); }
+  std::vector<std::string> take_patch_names() { return std::move(patch_names_); }
+
+ private:
+  void skip_metadata();
+  CellList read_counted_cells(std::size_t n_cells, std::size_t size);
+  CellList read_offset_cells(std::size_t n_offsets, std::size_t size);
+  void read_field();
+  void read_attribute(std::string_view keyword);
+  void read_array(const std::string& name, std::int64_t n_components, std::int64_t n);
+  void read_values(const std::string& name, std::int64_t n_components, std::int64_t n, ScalarType type);
+  void read_strings(const std::string& name, std::int64_t n_components, std::int64_t n);
+  std::size_t string_length();
+  void skip_values(std::int64_t n_components, std::int64_t n, ScalarType type);
+  std::int64_t total(std::int64_t n_components, std::int64_t n) const;
+  ScalarType read_type();
+  std::size_t least_bytes(ScalarType type) const;
+  void begin_values();
+  template <class T>
+  T next(ScalarType type);
+
+  Cursor in_;
+  std::string_view dataset_;
+  std::vector<PolyDataInput::IntegerArray> cell_arrays_;
+  std::vector<std::string> patch_names_;
+  bool is_ascii_ = true;
+  bool has_offsets_ = false;
+  bool in_cell_data_ = false;
+  std::int64_t n_tuples_ = 0;
+};
+
+}  // namespace nearwall::io
