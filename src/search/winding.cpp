@@ -1,9 +1,7 @@
 #include "nearwall/search/winding.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -14,6 +12,7 @@
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/predicates/intersection.h"
+#include "search/ray_directions.h"
 #include "search/segment_boxes.h"
 
 namespace nearwall::search {
@@ -23,20 +22,6 @@ namespace {
 using predicates::RayCrossing;
 
 constexpr std::size_t kBlock = 4096;
-constexpr int kMaxRays = 64;
-
-/// The ray number k: along an axis first, since its boxes sort out most cheaply, then in directions that come from the
-/// golden ratio's relatives, so that no two are alike and none is likely to hit an edge.
-Vec3 direction(int k) {
-  if (k == 0) return {1.0, 0.0, 0.0};
-  constexpr std::array<double, 3> kRatio{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
-  Vec3 d;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double v = k * kRatio[axis];
-    d[axis] = 2.0 * (v - std::floor(v)) - 1.0;
-  }
-  return d;
-}
 
 /// Signed crossings of one ray, nothing if it is degenerate.
 std::optional<int> count_crossings(const IndexedTriangles& soup, const Vec3& point, const Vec3& through,
@@ -71,7 +56,8 @@ int winding_number(const IndexedTriangles& soup, const Vec3& point, std::span<co
   for (const Vec3& p : soup.points) reach = std::max(reach, max_norm(p));
   if (reach == 0) reach = 1.0;
   for (int k = 0; k < kMaxRays; ++k) {
-    if (const auto crossings = count_crossings(soup, point, point + reach * direction(k), include)) return *crossings;
+    if (const auto crossings = count_crossings(soup, point, point + reach * ray_direction(k), include))
+      return *crossings;
   }
   throw GeometryError(fmt::format("expected a point off the surface to count windings about, found ({}, {}, {}) on it",
                                   point.x(), point.y(), point.z()));
