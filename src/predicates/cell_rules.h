@@ -32,35 +32,6 @@ Verdict wedge_verdict(std::span<const Vec3, 6> p) {
   return all;
 }
 
-/// Bernstein coefficients of a polynomial of degree 2 in each of three variables, at 9 i + 3 j + k, all times one
-/// factor.
-template <class T>
-using Triquadratic = std::array<T, 27>;
-
-/// 8 det J of a hexahedron. docs/theory/predicates.md, Eq. (10).
-template <class T>
-Triquadratic<T> hexahedron_coefficients(std::span<const Vec3, 8> p) {
-  const auto node = [&](int u, int v, int w) -> const Vec3& { return p[4 * w + (v == 0 ? u : 3 - u)]; };
-  Triquadratic<T> sum;
-  sum.fill(T(0.0));
-  // The sixteen choices of bits are u of X_v, v of X_u, w of X_u and w of X_v; the four of X_w follow inside.
-  for (int bits = 0; bits < 16; ++bits) {
-    const int uv = bits & 1, vu = bits >> 1 & 1, wu = bits >> 2 & 1, wv = bits >> 3 & 1;
-    const Vector<T> area = cross(edge<T>(node(0, vu, wu), node(1, vu, wu)), edge<T>(node(uv, 0, wv), node(uv, 1, wv)));
-    for (int uw = 0; uw < 2; ++uw) {
-      for (int vw = 0; vw < 2; ++vw) {
-        T& c = sum[9 * (uv + uw) + 3 * (vu + vw) + (wu + wv)];
-        c = c + dot(area, edge<T>(node(uw, vw, 0), node(uw, vw, 1)));
-      }
-    }
-  }
-  for (int index = 0; index < 27; ++index) {
-    const bool middle[3] = {index / 9 == 1, index / 3 % 3 == 1, index % 3 == 1};
-    sum[index] = sum[index] * T(8.0 / ((1 + middle[0]) * (1 + middle[1]) * (1 + middle[2])));
-  }
-  return sum;
-}
-
 /// Halves the box along the axis whose coefficients lie `stride` apart; four times the two halves' coefficients.
 template <class T>
 std::pair<Triquadratic<T>, Triquadratic<T>> halves(const Triquadratic<T>& c, int stride) {
@@ -97,7 +68,7 @@ inline constexpr std::size_t kMaxOpenBoxes = 1024;  ///< nor are more than these
 /// 2013).
 template <class T>
 Verdict hexahedron_verdict(std::span<const Vec3, 8> p) {
-  std::vector<Triquadratic<T>> open{hexahedron_coefficients<T>(p)};
+  std::vector<Triquadratic<T>> open{hexahedron_coefficients(hexahedron_edges<T>(p))};
   for (int level = 0; level <= kMaxHalvings; ++level) {
     std::vector<Triquadratic<T>> left_open;
     for (auto& box : open) {

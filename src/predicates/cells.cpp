@@ -2,9 +2,9 @@
 
 #include "nearwall/predicates/orientation.h"
 #include "predicates/bounded.h"
+#include "predicates/cell_filters.h"
 #include "predicates/cell_rules.h"
 #include "predicates/exact.h"
-#include "predicates/wedge_filter.h"
 
 namespace nearwall::predicates {
 
@@ -33,6 +33,7 @@ Positivity wedge(std::span<const Vec3, 6> p) {
 }
 
 Positivity hexahedron(std::span<const Vec3, 8> p) {
+  if (is_surely_positive(hexahedron_edges<double>(p))) return Positivity::Positive;
   const Verdict verdict = hexahedron_verdict<Bounded>(p);
   return verdict == Verdict::Open ? exact::hexahedron(p) : to_positivity(verdict);
 }

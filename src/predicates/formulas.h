@@ -82,4 +82,68 @@ std::array<Quadratic<T>, 3> wedge_quadratics(const WedgeEdges<T>& e) {
   return {along(e.rise[0]), along(e.rise[1]), along(e.rise[2])};
 }
 
+/// Edge vectors of a hexahedron by direction and by the places, 0 or 1, of the edge along the two other ones.
+template <class T>
+struct HexahedronEdges {
+  std::array<std::array<Vector<T>, 2>, 2> u;  ///< [v][w]
+  std::array<std::array<Vector<T>, 2>, 2> v;  ///< [u][w]
+  std::array<std::array<Vector<T>, 2>, 2> w;  ///< [u][v]
+};
+
+template <class T>
+HexahedronEdges<T> hexahedron_edges(std::span<const Vec3, 8> p) {
+  const auto node = [&](int u, int v, int w) -> const Vec3& { return p[4 * w + (v == 0 ? u : 3 - u)]; };
+  HexahedronEdges<T> e;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      e.u[i][j] = edge<T>(node(0, i, j), node(1, i, j));
+      e.v[i][j] = edge<T>(node(i, 0, j), node(i, 1, j));
+      e.w[i][j] = edge<T>(node(i, j, 0), node(i, j, 1));
+    }
+  }
+  return e;
+}
+
+/// Bernstein coefficients of a polynomial of degree 2 in each of three variables, at 9 i + 3 j + k, all times one
+/// factor.
+template <class T>
+using Triquadratic = std::array<T, 27>;
+
+/// 8 / (C(2,i) C(2,j) C(2,k)) at 9 i + 3 j + k.
+inline constexpr std::array<double, 27> kEightOverBinomials = [] {
+  std::array<double, 27> weights{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) weights[9 * i + 3 * j + k] = 8.0 / ((1 + i % 2) * (1 + j % 2) * (1 + k % 2));
+    }
+  }
+  return weights;
+}();
+
+/// 8 det J of a hexahedron. docs/theory/predicates.md, Eq. (10).
+template <class T>
+Triquadratic<T> hexahedron_coefficients(const HexahedronEdges<T>& e) {
+  Triquadratic<T> sum;
+  sum.fill(T(0.0));
+  // u of X_v, v of X_u; what differs along w is summed before the product with X_w.
+  for (int u = 0; u < 2; ++u) {
+    for (int v = 0; v < 2; ++v) {
+      const Vector<T> area0 = cross(e.u[v][0], e.v[u][0]), area2 = cross(e.u[v][1], e.v[u][1]);
+      const Vector<T> area1 = cross(e.u[v][0], e.v[u][1]) + cross(e.u[v][1], e.v[u][0]);
+      const auto add = [&](int i, int j, const Vector<T>& along) {
+        T* const c = sum.data() + 9 * i + 3 * j;
+        c[0] = c[0] + dot(area0, along);
+        c[1] = c[1] + dot(area1, along);
+        c[2] = c[2] + dot(area2, along);
+      };
+      add(u, v, e.w[0][0]);
+      add(u, v + 1, e.w[0][1]);
+      add(u + 1, v, e.w[1][0]);
+      add(u + 1, v + 1, e.w[1][1]);
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = sum[i] * T(kEightOverBinomials[i]);
+  return sum;
+}
+
 }  // namespace nearwall::predicates

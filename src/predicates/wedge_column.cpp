@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "nearwall/predicates/cells.h"
-#include "predicates/wedge_filter.h"
+#include "predicates/cell_filters.h"
 
 namespace nearwall::predicates {
 

@@ -1,5 +1,8 @@
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <span>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -64,13 +67,68 @@ void flat_wedge(benchmark::State& state) {
 }
 BENCHMARK(flat_wedge);
 
-void warped_hexahedron(benchmark::State& state) {
-  const std::array<Vec3, 8> p{Vec3(0, 0, 0), Vec3(1, 0, 0.1), Vec3(1.1, 1, 0), Vec3(0, 1, 0),
-                              Vec3(0, 0, 1), Vec3(1, 0.2, 1), Vec3(1, 1, 1.2), Vec3(0.1, 1, 1)};
+/// Many cells of one kind, each a little different, as the fans at a ridge have them: a box of one length along the
+/// ridge, a tenth across the fan, and of layers down to 1e-6, warped, turned and away from the origin.
+template <std::size_t N>
+std::vector<std::array<Vec3, N>> ridge_cells(const std::array<Vec3, N>& in_box) {
+  constexpr std::size_t kCells = 4096;
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<std::array<Vec3, N>> cells(kCells);
+  for (auto& cell : cells) {
+    const double height = std::pow(10.0, -3.5 + 2.5 * number(random));
+    const Vec3 along(0.6 + 0.1 * number(random), 0.64, 0.48), across(-0.08, 0.06 + 0.01 * number(random), 0.01);
+    const Vec3 up = height * Vec3(-0.3, 0.1 * number(random), 1);
+    for (std::size_t k = 0; k < N; ++k) {
+      const auto warped = [&](double x) { return x + 0.05 * number(random); };
+      cell[k] = Vec3(1, 2, 3) + warped(in_box[k].x()) * along + warped(in_box[k].y()) * across +
+                (in_box[k].z() * (1 + 0.1 * number(random))) * up;
+    }
+  }
+  return cells;
+}
+
+template <std::size_t N>
+void test_all(benchmark::State& state, const std::array<Vec3, N>& in_box,
+              Positivity (*test)(std::span<const Vec3, N>)) {
+  const auto cells = ridge_cells(in_box);
+  for (auto _ : state) {
+    std::size_t n = 0;
+    for (const auto& cell : cells) n += test(cell) == Positivity::Positive ? 1 : 0;
+    if (n != cells.size()) state.SkipWithError("a cell is not positive");
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cells.size()));
+}
+
+constexpr std::array<Vec3, 8> kBox{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0),
+                                   Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1)};
+
+void ridge_tetrahedra(benchmark::State& state) {
+  test_all<4>(state, {kBox[0], kBox[1], kBox[3], kBox[4]}, tetrahedron);
+}
+BENCHMARK(ridge_tetrahedra);
+
+void ridge_pyramids(benchmark::State& state) {
+  test_all<5>(state, {kBox[0], kBox[1], kBox[2], kBox[3], Vec3(0.5, 0.5, 1)}, pyramid);
+}
+BENCHMARK(ridge_pyramids);
+
+void ridge_wedges(benchmark::State& state) {
+  test_all<6>(state, {kBox[0], kBox[1], kBox[3], kBox[4], kBox[5], kBox[7]}, wedge);
+}
+BENCHMARK(ridge_wedges);
+
+void ridge_hexahedra(benchmark::State& state) { test_all<8>(state, kBox, hexahedron); }
+BENCHMARK(ridge_hexahedra);
+
+/// A coefficient is zero, so the cell has to be cut up.
+void turned_hexahedron(benchmark::State& state) {
+  const std::array<Vec3, 8> p{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0),  Vec3(0, 1, 0),
+                              Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(-1, 1, 1), Vec3(-1, 0, 1)};
   for (auto _ : state) benchmark::DoNotOptimize(hexahedron(p));
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(warped_hexahedron);
+BENCHMARK(turned_hexahedron);
 
 void orientation_in_doubles(benchmark::State& state) {
   const Vec3 a(0.1, 0.2, 0.3), b(1.1, 0.2, 0.35), c(0.2, 1.3, 0.2), d(0.3, 0.4, 1.5);

@@ -12,7 +12,7 @@ enum class Positivity { Positive, NotPositive, Undecided };
 
 // Node order: bottom face counterclockwise seen from the top (or apex), then the top in the same order;
 // tetrahedron: (p1 − p0) × (p2 − p0) · (p3 − p0) > 0. Files use VTK's own order, which only io knows.
-// Source: docs/theory/predicates.md, Eqs. (7) to (11).
+// Source: docs/theory/predicates.md, Eqs. (7) to (13).
 
 Positivity tetrahedron(std::span<const Vec3, 4> p);
 Positivity pyramid(std::span<const Vec3, 5> p);
