@@ -27,6 +27,9 @@ double sum_of_cells(const mesh::LayerMesh& layers) {
   });
   geometry::CompensatedSum total;
   for (const double v : by_block) total.add(v);
+  for (const FrontFaceId f : layers.caps()) {
+    total.add(mesh::cell_volume(mesh::CellType::Pyramid, mesh::cap_over(layers.front(), layers.lines(), f)->corners));
+  }
   return total.value();
 }
 
@@ -59,17 +62,20 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
   progress.update(0.7);
   // Winding numbers have a meaning only where the front does not meet itself.
   if (result.n_front_intersections == 0) {
-    result.n_covered_twice = covered_twice(front, wall.face_component, wall.fluid_is_inside).size();
+    result.n_covered_twice = covered_twice(layers.front(), front, wall.face_component, wall.fluid_is_inside).size();
   }
   progress.update(0.8);
 
   const Vec3 centre = geometry::bounding_box(wall.surface.points.raw()).centre();
   Cones of_front, of_wall;
-  for (const FaceId f : wall.surface.faces.ids()) {
-    if (!wall.face_component[f].is_valid()) continue;
-    const auto& corners = front.triangles[f.index()];
+  for (std::size_t t = 0; t < front.triangles.size(); ++t) {
+    // A component out of the fluid's reach has no lines that move, hence no virtual faces in the front.
+    const bool is_wall = layers.front().is_wall(front.face[t]);
+    const FaceId f = is_wall ? FaceId(t) : FaceId();
+    if (is_wall && !wall.face_component[f].is_valid()) continue;
+    const auto& corners = front.triangles[t];
     of_front.add({front.points[corners[0]], front.points[corners[1]], front.points[corners[2]]}, centre);
-    of_wall.add(wall.surface.triangle(f), centre);
+    if (is_wall) of_wall.add(wall.surface.triangle(f), centre);
   }
   result.cells_volume = sum_of_cells(layers);
   result.enclosed_volume = (of_front.six_volumes.value() - of_wall.six_volumes.value()) / 6;

@@ -68,7 +68,8 @@ Level first_bad_level(const mesh::Front& front, const mesh::Lines& lines, FrontF
     const auto cell = mesh::column_cell(front, lines, f, level);
     if (cell && !is_positive(lines, *cell)) return level;
   }
-  return kNoLevel;
+  const auto cap = mesh::cap_over(front, lines, f);
+  return cap && predicates::pyramid(cap->corners) != Positivity::Positive ? last : kNoLevel;
 }
 
 }  // namespace

@@ -15,8 +15,6 @@ using mesh::Topology;
 VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& rows) {
   const std::size_t n = wall.surface.points.size();
   VertexField field;
-  field.direction.resize(n);
-  field.stretch.resize(n, 1.0);
   field.schedule.resize(n, 0);
   field.asked.resize(n, 0.0);
   field.thickness.resize(n, 0.0);

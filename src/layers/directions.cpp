@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nearwall/core/parallel.h"
-#include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/measures.h"
 #include "vertex_field.h"
 
@@ -11,10 +9,6 @@ namespace nearwall::layers {
 namespace {
 
 using mesh::Topology;
-
-/// A line is at most this much longer than the thickness it stands for: 2 is a lean of 60 degrees. Where a sharp edge
-/// asks for more, the layers thin out towards it rather than stick out.
-constexpr double kMaxStretch = 2.0;
 
 /// Sweeps per thickness in edge lengths, and their range. A sweep carries a direction about one edge far, less as they
 /// go on; near concave ridges directions must lean away over a distance comparable to the thickness.
@@ -40,44 +34,42 @@ int automatic_sweeps(const Wall& wall, const VertexField& field) {
   return static_cast<int>(std::clamp(std::ceil(kSweepsPerEdge * ratio), double(kMinSweeps), double(kMaxSweeps)));
 }
 
-/// 1 / (mean cosine between the line and its faces, weighted by their angles at the vertex), bounded.
-double stretch_of(const Wall& wall, VertexId v, const Vec3& direction) {
-  double cosines = 0, angles = 0;
-  for (const HalfedgeId h : wall.topology.fan(v)) {
-    const FaceId f = Topology::face(h);
-    const Vec3& apex = wall.surface.points[v];
-    const double angle = geometry::corner_angle(apex, wall.surface.points[wall.topology.target(h)],
-                                                wall.surface.points[wall.topology.origin(Topology::previous(h))]);
-    cosines += angle * dot(direction, wall.features.face_normal[f]);
-    angles += angle;
+/// What each vertex sees: of its groups the one that is seen worst.
+IdVector<VertexId, surface::PointNormal> worst_of_groups(const Wall& wall, const CutWall& cut,
+                                                         const IdVector<VertexId, surface::PointNormal>& of_copies) {
+  if (!cut.has_cuts()) return of_copies;
+  IdVector<VertexId, surface::PointNormal> worst(wall.surface.points.size());
+  for (const VertexId v : worst.ids()) {
+    worst[v] = of_copies[cut.first_copy(v)];
+    for (std::size_t k = 1; k < cut.n_copies(v); ++k) {
+      const auto& normal = of_copies[VertexId(cut.first_copy(v).index() + k)];
+      if (normal.max_angle > worst[v].max_angle) worst[v] = normal;
+    }
   }
-  return cosines * kMaxStretch > angles ? angles / cosines : kMaxStretch;
+  return worst;
 }
 
 }  // namespace
 
-int set_directions(const Wall& wall, const GrowOptions& options, VertexField& field,
-                   IdVector<VertexId, surface::PointNormal>& normals) {
-  normals = surface::point_normals(wall.surface, wall.topology, wall.features, {.method = options.normals});
-  surface::replace_blind_normals(wall.surface, wall.topology, wall.features, normals);
-  auto smoothed = normals;
+LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& field,
+                   IdVector<VertexId, surface::PointNormal>& normals, int& sweeps) {
+  const CutWall cut(wall, options);
+  auto of_copies = surface::point_normals(cut.surface(), cut.topology(), cut.features(), {.method = options.normals});
+  surface::replace_blind_normals(cut.surface(), cut.topology(), cut.features(), of_copies);
+  normals = worst_of_groups(wall, cut, of_copies);
   surface::SmoothingOptions smoothing;
   smoothing.filter = options.filter;
   if (options.filter != surface::SmoothingFilter::None) {
     smoothing.iterations = options.smoothing_iterations.value_or(automatic_sweeps(wall, field));
-    surface::smooth_normals(wall.surface, wall.topology, wall.features, smoothing, smoothed);
+    const auto held = cut.has_cuts() ? cut.held_copies() : IdVector<VertexId, char>();
+    surface::smooth_normals(cut.surface(), cut.topology(), cut.features(), smoothing, of_copies, held);
   }
-  parallel_for(field.direction.size(), [&](std::size_t i) {
-    const VertexId v(i);
-    field.direction[v] = smoothed[v].direction;
-    if (!(field.asked[v] > 0)) return;
-    if (!normals[v].is_visible) {
-      field.lower(v, 0, mesh::LimitReason::Visibility);
-    } else {
-      field.stretch[v] = stretch_of(wall, v, field.direction[v]);
-    }
-  });
-  return smoothing.iterations;
+  sweeps = smoothing.iterations;
+  LinePlan plan = plan_lines(wall, cut, of_copies, options.max_turn);
+  for (const VertexId v : wall.surface.points.ids()) {
+    if (plan.cannot_leave[v]) field.lower(v, 0, mesh::LimitReason::Visibility);
+  }
+  return plan;
 }
 
 }  // namespace nearwall::layers

@@ -24,19 +24,45 @@ std::vector<VertexId> merged(std::vector<VertexId> a, const std::vector<VertexId
   return a;
 }
 
+/// A virtual face that stands on a vertex.
+struct VirtualFace {
+  VertexId vertex;
+  FrontFaceId face;
+  friend auto operator<=>(const VirtualFace&, const VirtualFace&) = default;
+};
+
+bool by_vertex(const VirtualFace& a, const VirtualFace& b) { return a.vertex < b.vertex; }
+
+/// Sorted by vertex.
+std::vector<VirtualFace> virtual_faces_of_vertices(const mesh::Front& front) {
+  std::vector<VirtualFace> all;
+  for (std::size_t i = front.n_wall_faces; i < front.faces.size(); ++i) {
+    const mesh::FrontFace& face = front.faces[FrontFaceId(i)];
+    for (int k = 0; k < face.size(); ++k) {
+      all.push_back({front.line_vertex[face.lines[static_cast<std::size_t>(k)]], FrontFaceId(i)});
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 /// The loop of certify and shrink. Only columns and front triangles whose lines changed are looked at again.
 class Settling {
  public:
-  Settling(const Wall& wall, const HeightRows& rows, int patient_rounds, VertexField& field, Growth& growth)
+  Settling(const Wall& wall, const LinePlan& plan, const HeightRows& rows, int patient_rounds, VertexField& field,
+           Growth& growth)
       : wall_(wall),
+        plan_(plan),
         rows_(rows),
         patient_rounds_(patient_rounds),
         field_(field),
         growth_(growth),
-        shrinker_(wall, growth.front, field),
+        shrinker_(wall, plan.front, field),
         component_(wetted_components(wall)),
+        virtual_faces_(virtual_faces_of_vertices(plan.front)),
         resolution_(resolution(wall)),
-        front_changed_(growth.front.faces.size(), 1) {}
+        front_changed_(plan.front.faces.size(), 1) {}
 
   void run(ProgressSink& progress) {
     while (const auto failed = one_round()) {
@@ -48,8 +74,8 @@ class Settling {
     }
     expect_costly(
         [&] {
-          return certify::bad_columns(growth_.front, growth_.lines).empty() &&
-                 certify::front_intersections(certify::front_surface(growth_.front, growth_.lines)).empty();
+          return certify::bad_columns(plan_.front, growth_.lines).empty() &&
+                 certify::front_intersections(certify::front_surface(plan_.front, growth_.lines)).empty();
         },
         "the certificate of all columns and the whole front to hold where that of what changed does");
   }
@@ -58,18 +84,18 @@ class Settling {
   /// Vertices lowered because a part of the certificate failed; nullopt if all of it holds.
   std::optional<std::vector<VertexId>> one_round() {
     if (is_first_ || !changed_columns_.empty()) {
-      const auto bad = certify::bad_columns(growth_.front, growth_.lines, changed_columns_);
+      const auto bad = certify::bad_columns(plan_.front, growth_.lines, changed_columns_);
       is_first_ = false;
       changed_columns_.clear();
       if (!bad.empty()) return shrinker_.shrink(growth_.lines, bad);
     }
-    const certify::FrontSurface front = certify::front_surface(growth_.front, growth_.lines);
+    const certify::FrontSurface front = certify::front_surface(plan_.front, growth_.lines);
     const bool all = std::find(front_changed_.begin(), front_changed_.end(), 0) == front_changed_.end();
     const auto intersections =
         certify::front_intersections(front, all ? std::span<const char>() : std::span<const char>(front_changed_));
     std::fill(front_changed_.begin(), front_changed_.end(), 0);
     if (!intersections.empty()) return shrinker_.shrink(intersections);
-    const auto wrong = certify::covered_twice(front, component_, wall_.fluid_is_inside);
+    const auto wrong = certify::covered_twice(plan_.front, front, component_, wall_.fluid_is_inside);
     if (!wrong.empty()) return shrinker_.shrink(front, wrong, component_);
     return std::nullopt;
   }
@@ -93,29 +119,34 @@ class Settling {
   void lower(const std::vector<VertexId>& failed) {
     expect(!failed.empty(), "a failed certificate to name a line that can still be lowered");
     const auto changed = merged(failed, grade(wall_, field_, failed));
-    update_lines(growth_.front, rows_, changed, resolution_, field_, growth_.lines);
+    update_lines(plan_, rows_, changed, resolution_, field_, growth_.lines);
     mark_changed(changed);
   }
 
   void mark_changed(const std::vector<VertexId>& vertices) {
+    const auto mark = [&](FrontFaceId f) {
+      changed_columns_.push_back(f);
+      front_changed_[f.index()] = 1;
+    };
     for (const VertexId v : vertices) {
-      for (const HalfedgeId h : wall_.topology.fan(v)) {
-        const std::uint32_t f = mesh::Topology::face(h).index();
-        changed_columns_.push_back(FrontFaceId(f));
-        front_changed_[f] = 1;
-      }
+      for (const HalfedgeId h : wall_.topology.fan(v)) mark(FrontFaceId(mesh::Topology::face(h).index()));
+      const auto [begin, end] =
+          std::equal_range(virtual_faces_.begin(), virtual_faces_.end(), VirtualFace{v, {}}, by_vertex);
+      for (auto face = begin; face != end; ++face) mark(face->face);
     }
     std::sort(changed_columns_.begin(), changed_columns_.end());
     changed_columns_.erase(std::unique(changed_columns_.begin(), changed_columns_.end()), changed_columns_.end());
   }
 
   const Wall& wall_;
+  const LinePlan& plan_;
   const HeightRows& rows_;
   int patient_rounds_;
   VertexField& field_;
   Growth& growth_;
   Shrinker shrinker_;
   IdVector<FaceId, ComponentId> component_;
+  std::vector<VirtualFace> virtual_faces_;
   double resolution_;
   bool is_first_ = true;
   std::vector<FrontFaceId> changed_columns_;
@@ -167,21 +198,21 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   Growth growth;
 
   progress.begin_stage("normals");
-  growth.smoothing_iterations = set_directions(wall, options, field, growth.normals);
+  LinePlan plan = set_lines(wall, options, field, growth.normals, growth.smoothing_iterations);
   progress.end_stage();
 
   progress.begin_stage("limits");
-  limit_by_gaps(wall, field);
+  limit_by_gaps(wall, plan, field);
   progress.update(0.5);
   grade(wall, field, {});
-  const auto curved = limit_by_curvature(wall, field);
+  const auto curved = limit_by_curvature(wall, plan, field);
   if (!curved.empty()) grade(wall, field, curved);
   progress.end_stage();
 
   progress.begin_stage("layers");
-  growth.front = mesh::plain_front(wall.surface);
-  growth.lines = make_lines(wall, growth.front, rows, field);
-  Settling(wall, rows, options.patient_rounds, field, growth).run(progress);
+  growth.lines = make_lines(wall, plan, rows, field);
+  Settling(wall, plan, rows, options.patient_rounds, field, growth).run(progress);
+  growth.front = std::move(plan.front);
   record(field, growth);
   progress.end_stage();
   return growth;

@@ -78,7 +78,7 @@ void limit_along(const Wall& wall, const search::WallTree& tree, VertexId v, con
 
 }  // namespace
 
-std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field) {
+std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan, VertexField& field) {
   const std::size_t n_faces = wall.surface.faces.size();
   std::vector<double> share(n_faces);
   std::vector<double> kept(field.thickness.size());
@@ -88,8 +88,8 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field) {
       const FaceId f(i);
       std::array<Vec3, 3> v;
       for (std::size_t k = 0; k < 3; ++k) {
-        const VertexId corner = wall.surface.faces[f][k];
-        v[k] = field.direction[corner] * (field.stretch[corner] * field.thickness[corner]);
+        const LineId line = plan.front.faces[FrontFaceId(i)].lines[k];
+        v[k] = plan.direction[line] * (plan.stretch[line] * field.thickness[wall.surface.faces[f][k]]);
       }
       share[i] = kCurvatureShare * swept_limit(wall.surface.triangle(f), v);
     });
@@ -116,12 +116,14 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field) {
   return lowered;
 }
 
-void limit_by_gaps(const Wall& wall, VertexField& field) {
+void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field) {
   const search::WallTree tree(wall.surface);
   parallel_for(field.thickness.size(), [&](std::size_t i) {
     const VertexId v(i);
     if (!(field.thickness[v] > 0)) return;
-    limit_along(wall, tree, v, field.direction[v], field.stretch[v], field);
+    for (std::uint32_t k = plan.front.first_line[i]; k < plan.front.first_line[i + 1]; ++k) {
+      limit_along(wall, tree, v, plan.direction[LineId(k)], plan.stretch[LineId(k)], field);
+    }
     if (wall.features.kind[v] == surface::PointKind::Smooth) return;
     // At a ridge or corner the line leaves between its faces and may pass by what each of them looks at.
     for (const HalfedgeId h : wall.topology.fan(v)) {

@@ -12,14 +12,15 @@ namespace {
 /// Heights below so many units in the last place of the largest coordinate would be more rounding than height.
 constexpr double kResolvableUlps = 1e3;
 
-void update_vertex(const mesh::Front& front, const HeightRows& rows, VertexId v, double finest, VertexField& field,
+void update_vertex(const LinePlan& plan, const HeightRows& rows, VertexId v, double finest, VertexField& field,
                    mesh::Lines& lines) {
+  const mesh::Front& front = plan.front;
   const ScheduleRows& schedule = rows.schedule(field.schedule[v]);
   mesh::Heights heights;
   if (field.thickness[v] > 0) {
     heights = schedule.fit(field.thickness[v]);
     const double first = (heights.weight_0 + heights.weight_1) * lines.table.row(heights.row)[1];
-    if (!(first * field.stretch[v] >= finest)) {
+    if (!(first >= finest)) {
       const mesh::LimitReason why =
           field.reason[v] == mesh::LimitReason::None ? mesh::LimitReason::Quality : field.reason[v];
       field.lower(v, 0, why);
@@ -28,7 +29,7 @@ void update_vertex(const mesh::Front& front, const HeightRows& rows, VertexId v,
   for (std::uint32_t i = front.first_line[v.index()]; i < front.first_line[v.index() + 1]; ++i) {
     const LineId line(i);
     lines.heights[line] = heights;
-    lines.windows[line] = {0, field.thickness[v] > 0 ? schedule.n_levels : Level{0}};
+    lines.windows[line] = {plan.start[v], field.thickness[v] > 0 ? schedule.n_levels : Level{0}};
   }
 }
 
@@ -40,7 +41,8 @@ double resolution(const Wall& wall) {
   return kResolvableUlps * std::numeric_limits<double>::epsilon() * largest;
 }
 
-mesh::Lines make_lines(const Wall& wall, const mesh::Front& front, const HeightRows& rows, VertexField& field) {
+mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const HeightRows& rows, VertexField& field) {
+  const mesh::Front& front = plan.front;
   const std::size_t n = front.n_lines();
   mesh::Lines lines;
   lines.table = rows.table();
@@ -55,16 +57,16 @@ mesh::Lines make_lines(const Wall& wall, const mesh::Front& front, const HeightR
     const VertexId v(i);
     for (std::uint32_t k = front.first_line[i]; k < front.first_line[i + 1]; ++k) {
       lines.base[LineId(k)] = wall.surface.points[v];
-      lines.pieces[k] = {field.direction[v] * field.stretch[v], 0.0};
+      lines.pieces[k] = {plan.direction[LineId(k)] * plan.stretch[LineId(k)], 0.0};
     }
-    update_vertex(front, rows, v, finest, field, lines);
+    update_vertex(plan, rows, v, finest, field, lines);
   });
   return lines;
 }
 
-void update_lines(const mesh::Front& front, const HeightRows& rows, std::span<const VertexId> vertices,
-                  double resolution, VertexField& field, mesh::Lines& lines) {
-  for (const VertexId v : vertices) update_vertex(front, rows, v, resolution, field, lines);
+void update_lines(const LinePlan& plan, const HeightRows& rows, std::span<const VertexId> vertices, double resolution,
+                  VertexField& field, mesh::Lines& lines) {
+  for (const VertexId v : vertices) update_vertex(plan, rows, v, resolution, field, lines);
 }
 
 }  // namespace nearwall::layers

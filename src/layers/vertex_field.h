@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "height_rows.h"
+#include "line_plan.h"
 #include "nearwall/layers/grow.h"
 
 namespace nearwall::layers {
@@ -10,8 +11,6 @@ namespace nearwall::layers {
 /// What the growth knows of each wall vertex; all its lines share it. Thicknesses are measured normal to the wall: a
 /// line that leans is longer by its stretch.
 struct VertexField {
-  IdVector<VertexId, Vec3> direction;            ///< unit vector
-  IdVector<VertexId, double> stretch;            ///< length along the line per thickness, 1 … kMaxStretch
   IdVector<VertexId, std::uint32_t> schedule;    ///< of HeightRows
   IdVector<VertexId, double> asked;              ///< thickness asked for; 0 where there is no layer to be
   IdVector<VertexId, double> thickness;          ///< allowed now, <= asked; 0: blocked
@@ -31,17 +30,19 @@ struct VertexField {
 /// fluid cannot reach nothing is asked.
 VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& rows);
 
-/// Directions: normals by the chosen method, smoothed. Fills direction and stretch; blind vertices are blocked.
-/// \returns sweeps of smoothing done
-int set_directions(const Wall& wall, const GrowOptions& options, VertexField& field,
-                   IdVector<VertexId, surface::PointNormal>& normals);
+/// The lines that leave the wall: normals by the chosen method, smoothed, and fans where ridges get several lines.
+/// Vertices that cannot be left are blocked.
+/// \param normals  (n_vertices) before smoothing: of the group of faces that is seen worst
+/// \param sweeps   of smoothing done
+LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& field,
+                   IdVector<VertexId, surface::PointNormal>& normals, int& sweeps);
 
 /// Closed form of the method, section 3: no thick wedge may lose its orientation on the way up.
 /// \returns vertices that were lowered, in increasing order
-std::vector<VertexId> limit_by_curvature(const Wall& wall, VertexField& field);
+std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan, VertexField& field);
 
 /// Keeps each line below its share of the way to the next wall, by rays.
-void limit_by_gaps(const Wall& wall, VertexField& field);
+void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field);
 
 /// Lowers neighbours so that thickness changes along the surface at a bounded rate.
 /// \param seeds  vertices whose thickness may be too low for their neighbours; empty: all

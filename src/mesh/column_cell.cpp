@@ -84,6 +84,8 @@ std::optional<LayerCell> triangle_cell(const Step& s) {
     expect(n_moving == 3, "the lines of one vertex to share a window");
     return make_cell(CellType::Tetrahedron, {s.bottom(0), s.top(0), s.top(1), s.top(2)});
   }
+  // Where only the lone line moves, three nodes are left: the two neighbours share the face.
+  if (!s.moves(shared)) return std::nullopt;
   // Two lines of one vertex leave the wall here: the third must not, or the cell would be a wedge with a collapsed
   // edge.
   expect(n_moving == 2 && !s.moves(shared + 2), "the lone line at a fan's end to start late");

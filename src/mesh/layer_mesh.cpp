@@ -48,7 +48,10 @@ LayerMesh::LayerMesh(const Front& front, const Lines& lines) : front_(&front), l
       });
     }
     column_offset_.push_back(column_offset_.back() + n);
+    if (has_cap(front, lines, f)) caps_.push_back(f);
   }
+  n_nodes_ += caps_.size();
+  n_by_type_[static_cast<std::size_t>(CellType::Pyramid)] += caps_.size();
 }
 
 }  // namespace nearwall::mesh

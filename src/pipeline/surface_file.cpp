@@ -1,6 +1,7 @@
 #include "pipeline/surface_file.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "nearwall/certify/certificate.h"
 #include "nearwall/geometry/angles.h"
@@ -22,35 +23,39 @@ auto values(const Ids& ids, Value&& value) {
 
 std::int32_t to_int(auto value) { return static_cast<std::int32_t>(value); }
 
-/// Direction in which a vertex marches: that of its first line, or its normal where that line has none.
-Vec3 direction_of(const layers::Growth& growth, VertexId v) {
-  const LineId line(growth.front.first_line[v.index()]);
+/// Direction in which a line marches, or the normal of its vertex where it has none.
+Vec3 direction_of(const layers::Growth& growth, LineId line) {
   const std::uint32_t begin = growth.lines.first_piece[line.index()];
   const std::uint32_t end = growth.lines.first_piece[line.index() + 1];
   const Vec3 d = begin < end ? normalized(growth.lines.pieces[begin].direction) : Vec3();
-  return d == Vec3() ? growth.normals[v].direction : d;
+  return d == Vec3() ? growth.normals[growth.front.line_vertex[line]].direction : d;
 }
 
-double visibility_angle(const layers::Wall& wall, VertexId v, const Vec3& direction) {
-  double worst = 0;
-  for (const HalfedgeId h : wall.topology.fan(v)) {
-    const Vec3& normal = wall.features.face_normal[mesh::Topology::face(h)];
-    worst = std::max(worst, geometry::angle_between(direction, normal));
+/// Angle between the line of a corner and the normal of its face, the largest of each vertex [deg].
+Doubles visibility_angles(const layers::Wall& wall, const layers::Growth& growth) {
+  Doubles worst(wall.surface.points.size(), 0);
+  for (const FaceId f : wall.surface.faces.ids()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LineId line = growth.front.faces[FrontFaceId(f.index())].lines[k];
+      const VertexId v = wall.surface.faces[f][k];
+      const Vec3 d = direction_of(growth, line);
+      worst[v.index()] = std::max(worst[v.index()], geometry::angle_between(d, wall.features.face_normal[f]));
+    }
   }
-  return geometry::to_degrees(worst);
+  for (double& angle : worst) angle = geometry::to_degrees(angle);
+  return worst;
 }
 
 void add_point_arrays(const layers::Wall& wall, const layers::Growth& growth, io::PolyDataFile& file) {
   const auto vertices = wall.surface.points.ids();
   const auto line = [&](VertexId v) { return LineId(growth.front.first_line[v.index()]); };
-  Doubles normals, angles;
+  Doubles normals;
   for (const VertexId v : vertices) {
-    const Vec3 d = direction_of(growth, v);
+    const Vec3 d = direction_of(growth, line(v));
     normals.insert(normals.end(), {d.x(), d.y(), d.z()});
-    angles.push_back(visibility_angle(wall, v, d));
   }
   file.point_data.push_back({"Normals", std::move(normals), 3});
-  file.point_data.push_back({"VisibilityAngle", std::move(angles)});
+  file.point_data.push_back({"VisibilityAngle", visibility_angles(wall, growth)});
   file.point_data.push_back({"PointKind", values(vertices, [&](VertexId v) { return to_int(wall.features.kind[v]); })});
   file.point_data.push_back({"LineCount", values(vertices, [&](VertexId v) {
                                return to_int(growth.front.first_line[v.index() + 1] -
@@ -96,16 +101,35 @@ io::PolyDataFile surface_file(const layers::Wall& wall, const layers::Growth& gr
 }
 
 io::PolyDataFile front_file(const layers::Wall& wall, const layers::Growth& growth) {
-  certify::FrontSurface front = certify::front_surface(growth.front, growth.lines);
-  io::PolyDataFile file = io::polydata_of(wall.surface);
-  file.points = std::move(front.points);
-  file.triangles = std::move(front.triangles);
-  const auto lines = growth.front.line_vertex.ids();
-  file.point_data.push_back({"Levels", values(lines, [&](LineId l) {
-                               const mesh::Window window = growth.lines.windows[l];
-                               return to_int(window.moves() ? window.end : Level{0});
-                             })});
-  file.point_data.push_back({"Thickness", values(lines, [&](LineId l) { return growth.reached_thickness[l]; })});
+  const mesh::Front& front = growth.front;
+  certify::FrontSurface surface = certify::front_surface(front, growth.lines);
+  io::PolyDataFile file;
+  file.points = std::move(surface.points);
+  file.triangles = std::move(surface.triangles);
+  // What stands over a virtual face counts to the patch of the first triangle round its vertex.
+  const auto wall_face = [&](FrontFaceId f) {
+    if (front.is_wall(f)) return FaceId(f.index());
+    return mesh::Topology::face(wall.topology.fan(front.line_vertex[front.faces[f].lines[0]]).front());
+  };
+  file.triangle_data.push_back({"Patch", values(surface.face, [&](FrontFaceId f) {
+                                  return to_int(wall.surface.face_patch[wall_face(f)].index());
+                                })});
+  file.triangle_data.push_back({"Column", values(surface.face, [&](FrontFaceId f) {
+                                  return front.is_wall(f) ? to_int(f.index()) : std::int32_t{-1};
+                                })});
+  file.field_data.push_back({"PatchNames", wall.surface.patch_names.raw()});
+  Integers levels;
+  Doubles thickness;
+  for (const LineId line : front.line_vertex.ids()) {
+    const mesh::Window window = growth.lines.windows[line];
+    levels.push_back(window.moves() ? window.end : Level{0});
+    thickness.push_back(growth.reached_thickness[line]);
+  }
+  // The apices of caps lie on no line.
+  levels.resize(file.points.size(), -1);
+  thickness.resize(file.points.size(), std::numeric_limits<double>::quiet_NaN());
+  file.point_data.push_back({"Levels", std::move(levels)});
+  file.point_data.push_back({"Thickness", std::move(thickness)});
   return file;
 }
 

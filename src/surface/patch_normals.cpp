@@ -17,17 +17,18 @@ using mesh::Topology;
 
 bool is_convex_ridge(const Features& features, HalfedgeId h) { return features.is_ridge[h] && features.turn[h] > 0; }
 
-/// Vertices at which convex ridges meet or pass and which no direction sees.
-IdVector<VertexId, char> find_blind(const mesh::SurfaceMesh& surface, const Topology& topology,
-                                    const Features& features) {
-  IdVector<VertexId, char> is_blind(topology.n_vertices(), 0);
+/// Vertices at which convex ridges meet or pass and which no direction sees under less than the steep angle.
+IdVector<VertexId, char> find_steep(const mesh::SurfaceMesh& surface, const Topology& topology,
+                                    const Features& features, double steep_angle) {
+  IdVector<VertexId, char> is_steep(topology.n_vertices(), 0);
   const FanSource source(surface, topology, features, {.method = NormalMethod::MostVisible});
   for_each_vertex(source, [&](VertexId v, FanNormals& fans) {
     const auto fan = topology.fan(v);
     if (!std::any_of(fan.begin(), fan.end(), [&](HalfedgeId h) { return is_convex_ridge(features, h); })) return;
-    is_blind[v] = fans.of(v, fan).is_visible ? 0 : 1;
+    const PointNormal normal = fans.of(v, fan);
+    is_steep[v] = normal.is_visible && normal.max_angle <= steep_angle ? 0 : 1;
   });
-  return is_blind;
+  return is_steep;
 }
 
 /// The other ridge edge at the target of h, leaving it, if the ridge passes through there.
@@ -120,7 +121,11 @@ IdVector<HalfedgeId, char> ridges_with_several_lines(const mesh::SurfaceMesh& su
     throw InputError(fmt::format("multi_angle: expected an angle between 0 and 180 degrees, found {}",
                                  geometry::to_degrees(options.multi_angle)));
   }
-  const IdVector<VertexId, char> is_blind = find_blind(surface, topology, features);
+  if (!(options.steep_angle > 0 && options.steep_angle <= geometry::kPi / 2)) {
+    throw InputError(fmt::format("steep_angle: expected an angle above 0 and up to 90 degrees, found {}",
+                                 geometry::to_degrees(options.steep_angle)));
+  }
+  const IdVector<VertexId, char> is_steep = find_steep(surface, topology, features, options.steep_angle);
   IdVector<HalfedgeId, char> has_several(features.is_ridge.size(), 0), is_done = has_several;
   std::vector<HalfedgeId> ridge;
   for (const HalfedgeId start : features.is_ridge.ids()) {
@@ -128,8 +133,8 @@ IdVector<HalfedgeId, char> ridges_with_several_lines(const mesh::SurfaceMesh& su
     collect_ridge(topology, features, start, ridge);
     bool needs_several = false;
     for (const HalfedgeId h : ridge) {
-      needs_several |= features.turn[h] > options.multi_angle || is_blind[topology.origin(h)] != 0 ||
-                       is_blind[topology.target(h)] != 0;
+      needs_several |= features.turn[h] > options.multi_angle || is_steep[topology.origin(h)] != 0 ||
+                       is_steep[topology.target(h)] != 0;
     }
     for (const HalfedgeId h : ridge) {
       is_done[h] = is_done[topology.twin(h)] = 1;
@@ -137,6 +142,25 @@ IdVector<HalfedgeId, char> ridges_with_several_lines(const mesh::SurfaceMesh& su
     }
   }
   return has_several;
+}
+
+CornerGroups corner_groups(const Topology& topology, const IdVector<HalfedgeId, char>& is_separator) {
+  CornerGroups groups{IdVector<VertexId, std::uint32_t>(topology.n_vertices() + 1, 0),
+                      IdVector<HalfedgeId, std::uint32_t>(is_separator.size())};
+  const Runs all(topology, is_separator);
+  for (std::size_t i = 0; i < topology.n_vertices(); ++i) {
+    groups.offset[VertexId(i + 1)] = groups.offset[VertexId(i)] + std::max(1u, all.count(VertexId(i)));
+  }
+  parallel_blocks(topology.n_vertices(), kVertexBlock, [&](std::size_t begin, std::size_t end) {
+    Runs runs(topology, is_separator);
+    for (std::size_t i = begin; i < end; ++i) {
+      const VertexId v(i);
+      runs.for_each(v, [&](std::uint32_t k, std::span<const HalfedgeId> faces) {
+        for (const HalfedgeId h : faces) groups.of_corner[h] = groups.offset[v] + k;
+      });
+    }
+  });
+  return groups;
 }
 
 IdVector<VertexId, std::uint32_t> group_offsets(const mesh::SurfaceMesh& surface, const Topology& topology,

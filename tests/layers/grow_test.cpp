@@ -71,7 +71,9 @@ TEST(Grow, BlocksAVertexThatNoDirectionSees) {
   const auto at_origin = std::find(surface.points.begin(), surface.points.end(), Vec3()) - surface.points.begin();
   const LineId blind(static_cast<std::size_t>(at_origin));
   const TestWall wall(surface);
-  const Growth growth = grow(wall.wall(), options_for(surface, geometric(0.01, 1.2, 5)));
+  GrowOptions options = options_for(surface, geometric(0.01, 1.2, 5));
+  options.several_lines = false;
+  const Growth growth = grow(wall.wall(), options);
   EXPECT_EQ(growth.reason[blind], LimitReason::Visibility);
   EXPECT_FALSE(growth.lines.windows[blind].moves());
   EXPECT_FALSE(growth.normals[VertexId(blind.index())].is_visible);
@@ -138,8 +140,8 @@ TEST(Grow, EndsAtOnceWithoutPatience) {
   options.patient_rounds = 0;
   const Growth growth = grow(wall.wall(), options);
   EXPECT_EQ(growth.rounds, 1);
-  for (const VertexId v : surface.points.ids()) {
-    EXPECT_EQ(growth.lines.windows[LineId(v.index())].moves(), surface.points[v].x() > 50);
+  for (const LineId line : growth.lines.base.ids()) {
+    EXPECT_EQ(growth.lines.windows[line].moves(), growth.lines.base[line].x() > 50);
   }
   EXPECT_TRUE(certify::certify_layers(mesh::LayerMesh(growth.front, growth.lines), wall.certified_wall()).is_valid());
 }

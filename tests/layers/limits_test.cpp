@@ -11,7 +11,7 @@ namespace {
 using growing_for_tests::options_for;
 using growing_for_tests::TestWall;
 
-/// A wall, what is asked of it, and its field with directions set.
+/// A wall, what is asked of it, and its lines before any limit.
 struct Asked {
   explicit Asked(mesh::SurfaceMesh surface, double total, bool inside = false)
       : wall(std::move(surface), inside),
@@ -20,7 +20,7 @@ struct Asked {
         rows(std::vector<std::vector<double>>(wall.surface().patch_names.size(), heights)),
         field(ask(wall.wall(), options, rows)) {
     options.filter = surface::SmoothingFilter::None;
-    set_directions(wall.wall(), options, field, normals);
+    plan = set_lines(wall.wall(), options, field, normals, sweeps);
   }
   TestWall wall;
   std::vector<double> heights;
@@ -28,20 +28,23 @@ struct Asked {
   HeightRows rows;
   VertexField field;
   IdVector<VertexId, surface::PointNormal> normals;
+  int sweeps = 0;
+  LinePlan plan;
 };
 
-TEST(SetDirections, StretchesLinesSoThatHeightsAreNormalToTheWall) {
+TEST(SetLines, StretchesLinesSoThatHeightsAreNormalToTheWall) {
   const Asked a(shapes_for_tests::cube(), 0.01);
   // At a corner of a cube the line makes the same angle with three faces, of cosine 1 / √3.
-  for (const VertexId v : a.wall.surface().points.ids()) EXPECT_NEAR(a.field.stretch[v], std::sqrt(3.0), 1e-12);
+  ASSERT_EQ(a.plan.stretch.size(), a.wall.surface().points.size());
+  for (const double stretch : a.plan.stretch) EXPECT_NEAR(stretch, std::sqrt(3.0), 1e-12);
 }
 
 TEST(LimitByCurvature, StopsTheInsideOfASphereBeforeItsCentre) {
   const mesh::SurfaceMesh sphere = shapes_for_tests::flipped(shapes_for_tests::sphere(3));
   Asked a(sphere, 2.0, true);
-  EXPECT_EQ(limit_by_curvature(a.wall.wall(), a.field).size(), sphere.points.size());
+  EXPECT_EQ(limit_by_curvature(a.wall.wall(), a.plan, a.field).size(), sphere.points.size());
   for (const VertexId v : sphere.points.ids()) {
-    EXPECT_LT(a.field.thickness[v] * a.field.stretch[v], 1.0) << "the radius";
+    EXPECT_LT(a.field.thickness[v] * a.plan.stretch[LineId(v.index())], 1.0) << "the radius";
     EXPECT_GT(a.field.thickness[v], 0.2);
     EXPECT_EQ(a.field.reason[v], mesh::LimitReason::Curvature);
   }
@@ -49,13 +52,13 @@ TEST(LimitByCurvature, StopsTheInsideOfASphereBeforeItsCentre) {
 
 TEST(LimitByCurvature, LeavesConvexBodiesAlone) {
   Asked a(shapes_for_tests::sphere(3), 5.0);
-  EXPECT_TRUE(limit_by_curvature(a.wall.wall(), a.field).empty());
+  EXPECT_TRUE(limit_by_curvature(a.wall.wall(), a.plan, a.field).empty());
 }
 
 TEST(LimitByGaps, SharesAGapFairly) {
   const double gap = 0.1;
   Asked a(gallery::catalogued("two-boxes", {{"gap", gap}}, 0.25), 0.3);
-  limit_by_gaps(a.wall.wall(), a.field);
+  limit_by_gaps(a.wall.wall(), a.plan, a.field);
   std::size_t n_limited = 0;
   for (const VertexId v : a.wall.surface().points.ids()) {
     if (a.field.reason[v] != mesh::LimitReason::Gap) continue;
@@ -68,7 +71,7 @@ TEST(LimitByGaps, SharesAGapFairly) {
 TEST(LimitByGaps, SeesWhatTheFacesOfACornerLookAt) {
   // Corner lines of two aligned cubes run along the diagonal, past the other cube.
   Asked a(shapes_for_tests::joined(shapes_for_tests::cube(), shapes_for_tests::cube(0.5, {1.001, 0, 0})), 0.3);
-  limit_by_gaps(a.wall.wall(), a.field);
+  limit_by_gaps(a.wall.wall(), a.plan, a.field);
   for (const VertexId v : a.wall.surface().points.ids()) {
     const double x = a.wall.surface().points[v].x();
     const bool at_the_gap = x > 0.4 && x < 0.6;
@@ -78,7 +81,7 @@ TEST(LimitByGaps, SeesWhatTheFacesOfACornerLookAt) {
 
 TEST(LimitByGaps, TakesNoNoticeOfTheWallBesideAConcaveCorner) {
   Asked a(gallery::catalogued("block-on-floor", {}, 0.25), 0.05);
-  limit_by_gaps(a.wall.wall(), a.field);
+  limit_by_gaps(a.wall.wall(), a.plan, a.field);
   for (const VertexId v : a.wall.surface().points.ids()) EXPECT_EQ(a.field.reason[v], mesh::LimitReason::None);
 }
 

@@ -179,7 +179,7 @@ void expect_sound(Layers& layers, bool late_starts) {
       });
       EXPECT_EQ(mesh.column_end(f), n);
     }
-    EXPECT_EQ(mesh.n_cells(), n);
+    EXPECT_EQ(mesh.n_cells(), n + mesh.caps().size());
     if (testing::Test::HasFailure()) FAIL() << "first at trial " << trial;
   }
   EXPECT_GT(seen[0], 0u);
@@ -216,6 +216,17 @@ TEST(ColumnCell, MakesATetrahedronWhereTheLinesOfACornerPart) {
   EXPECT_EQ(mesh.n_cells_by_type(), (std::array<CellIndex, kNCellTypes>{1, 0, 2, 0}));
   mesh.for_each_cell(FrontFaceId(0),
                      [&](const LayerCell& cell, Level) { EXPECT_EQ(positivity(layers, cell), Positivity::Positive); });
+}
+
+TEST(ColumnCell, MakesNoneWhereOnlyTheLoneLineOfAFansEndMoves) {
+  Layers layers;
+  layers.wall = make_surface({{0, 0, 0}, {1, 0, 0}}, {});
+  layers.front.first_line = {0, 1};
+  for (const int v : {0, 1, 1}) add_line(layers, VertexId(static_cast<std::size_t>(v)), {0, 0, 1});
+  finish(layers, 3);
+  layers.lines.windows[LineId(1)] = layers.lines.windows[LineId(2)] = {0, 0};
+  layers.front.faces.push_back({{LineId(0), LineId(1), LineId(2), {}}});
+  EXPECT_EQ(LayerMesh(layers.front, layers.lines).n_cells(), 0u);
 }
 
 TEST(ColumnCell, MakesATetrahedronAndWedgesWhereAFanEnds) {

@@ -13,10 +13,11 @@
 
 namespace nearwall::certify {
 
-/// Columns with a cell that is not positive everywhere, decided exactly on the coordinates that are written.
+/// Columns with a cell, or under a cap, that is not positive everywhere, decided exactly on the coordinates that are
+/// written.
 struct BadColumn {
   FrontFaceId face;
-  Level level = 0;  ///< of the bottom of its first such cell
+  Level level = 0;  ///< of the bottom of its first such cell; for the cap, the largest end of its lines
 };
 
 /// Point 1 of the certificate. \param columns  which to look at, in increasing order; empty: all
@@ -24,24 +25,27 @@ struct BadColumn {
 std::vector<BadColumn> bad_columns(const mesh::Front& front, const mesh::Lines& lines,
                                    std::span<const FrontFaceId> columns = {});
 
-/// The outer front as triangles over the ends of lines. Lines of one vertex that do not move share a point.
+/// The outer front as triangles over the ends of lines and the apices of caps. Lines of one vertex that do not move
+/// share a point. Triangle i < n_wall_faces lies over wall triangle i; those over virtual faces follow, one for a
+/// triangle, four for a quad with a cap, none where the lines of the face do not part.
 struct FrontSurface {
-  std::vector<Vec3> points;                             ///< (n_lines)
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< (n_front_faces)
+  std::vector<Vec3> points;                             ///< (n_lines + n_caps)
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< (n_triangles)
+  std::vector<FrontFaceId> face;                        ///< (n_triangles) front face below
 };
 
 FrontSurface front_surface(const mesh::Front& front, const mesh::Lines& lines);
 
-/// Point 4: pairs of front triangles that meet anywhere but in what they share. Exact.
-/// \param changed  (n_front_faces) marks triangles to be looked at against all; empty: all
+/// Point 4: pairs of front faces whose triangles meet anywhere but in what they share. Exact.
+/// \param changed  (n_front_faces) marks faces to be looked at against all; empty: all
 std::vector<std::pair<FrontFaceId, FrontFaceId>> front_intersections(const FrontSurface& front,
                                                                      std::span<const char> changed = {});
 
 /// Point 5: components of the front about which the others wind the wrong number of times: there two bodies' layers
 /// fill the same space, or one body's layers have swallowed the other body.
 /// \param face_component  (n_wall_faces) component of the wall, invalid where the fluid does not reach
-std::vector<ComponentId> covered_twice(const FrontSurface& front, const IdVector<FaceId, ComponentId>& face_component,
-                                       bool fluid_is_inside);
+std::vector<ComponentId> covered_twice(const mesh::Front& front, const FrontSurface& surface,
+                                       const IdVector<FaceId, ComponentId>& face_component, bool fluid_is_inside);
 
 /// What the certificate speaks about: the wall's triangles with their components.
 struct CertifiedWall {

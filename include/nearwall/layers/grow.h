@@ -26,6 +26,9 @@ struct GrowOptions {
   surface::NormalMethod normals = surface::NormalMethod::MostVisible;
   surface::SmoothingFilter filter = surface::SmoothingFilter::Taubin;
   std::optional<int> smoothing_iterations;  ///< nullopt: follows thickness / edge length
+  bool several_lines = true;                ///< at convex ridges and corners that need them; false: one for each vertex
+  double multi_angle = 1.745329251994329577;  ///< turn of a convex ridge from which it gets several lines [rad]
+  double max_turn = 0.785398163397448310;     ///< largest angle between two neighbouring lines of a fan [rad]
   /// Rounds of certify and shrink after which what fails is blocked at once, and after twice as many the whole
   /// component that it lies on: so the number of rounds is bounded on any surface. Seen on real surfaces: 0 to 41.
   int patient_rounds = 100;
@@ -35,11 +38,12 @@ struct GrowOptions {
 struct Growth {
   mesh::Front front;
   mesh::Lines lines;
-  IdVector<VertexId, surface::PointNormal> normals;  ///< before smoothing: what the vertex sees
-  IdVector<LineId, double> asked_thickness;          ///< normal to the wall [length]; 0 where nothing is asked
-  IdVector<LineId, double> reached_thickness;        ///< normal to the wall [length]
-  IdVector<LineId, mesh::LimitReason> reason;        ///< None where all was reached
-  int rounds = 0;                                    ///< of certify and shrink
+  /// Before smoothing: what the vertex sees; of several groups of faces, the one that is seen worst.
+  IdVector<VertexId, surface::PointNormal> normals;
+  IdVector<LineId, double> asked_thickness;    ///< normal to the wall [length]; 0 where nothing is asked
+  IdVector<LineId, double> reached_thickness;  ///< normal to the wall [length]
+  IdVector<LineId, mesh::LimitReason> reason;  ///< None where all was reached
+  int rounds = 0;                              ///< of certify and shrink
   int smoothing_iterations = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "nearwall/mesh/cap.h"
 #include "nearwall/mesh/cell.h"
 #include "nearwall/mesh/front.h"
 #include "nearwall/mesh/lines.h"
@@ -24,8 +25,9 @@ std::pair<Level, Level> level_range(const Front& front, const Lines& lines, Fron
 /// Coordinates of the nodes of a cell; the first size_of(type) are set.
 std::array<Vec3, 8> corners_of(const Lines& lines, const LayerCell& cell);
 
-/// All layers: front and lines, and the numbering of nodes and cells that follows from them. Cells are derived, never
-/// stored. Memory: O(n_lines + n_front_faces). The referred front and lines must outlive it and keep their windows.
+/// All layers and the caps on them: front and lines, and the numbering of nodes and cells that follows from them. Cells
+/// are derived, never stored. Memory: O(n_lines + n_front_faces). The referred front and lines must outlive it and keep
+/// their windows.
 class LayerMesh {
  public:
   LayerMesh(const Front& front, const Lines& lines);
@@ -34,7 +36,7 @@ class LayerMesh {
   const Lines& lines() const { return *lines_; }
 
   NodeIndex n_nodes() const { return n_nodes_; }
-  CellIndex n_cells() const { return column_offset_.back(); }
+  CellIndex n_cells() const { return column_offset_.back() + caps_.size(); }
   std::size_t n_columns() const { return column_offset_.size() - 1; }
   const std::array<CellIndex, kNCellTypes>& n_cells_by_type() const { return n_by_type_; }
 
@@ -51,6 +53,10 @@ class LayerMesh {
   CellIndex column_offset(FrontFaceId f) const { return column_offset_[f.index()]; }
   CellIndex column_end(FrontFaceId f) const { return column_offset_[f.index() + 1]; }
 
+  /// Virtual faces with a cap, in increasing order. Cap i is cell n_cells() − caps().size() + i, its apex the node
+  /// n_nodes() − caps().size() + i.
+  const std::vector<FrontFaceId>& caps() const { return caps_; }
+
   /// Calls visit(const LayerCell&, Level) for the cells of a column from the wall up; level is that of the bottom.
   template <class Visit>
   void for_each_cell(FrontFaceId f, Visit&& visit) const {
@@ -65,6 +71,7 @@ class LayerMesh {
   const Lines* lines_;
   std::vector<NodeIndex> line_offset_;    // (n_lines)
   std::vector<CellIndex> column_offset_;  // (n_front_faces + 1)
+  std::vector<FrontFaceId> caps_;
   std::array<CellIndex, kNCellTypes> n_by_type_{};
   NodeIndex n_nodes_ = 0;
 };

@@ -51,7 +51,8 @@ class MeshSource {
   virtual void read_cells(std::size_t batch, CellBatch& out) const = 0;
 };
 
-/// The layers as a mesh source. Points: the wall's vertices first, then line by line; cells: column by column.
+/// The layers as a mesh source. Points: the wall's vertices first, then line by line, then the apices of the caps;
+/// cells: column by column, then the caps.
 class LayerSource final : public MeshSource {
  public:
   /// \param face_patch  patch of each wall triangle (n_wall_faces)
@@ -66,6 +67,15 @@ class LayerSource final : public MeshSource {
   void read_cells(std::size_t batch, CellBatch& out) const override;
 
  private:
+  std::size_t n_line_batches() const;
+  std::size_t n_column_batches() const;
+  std::size_t n_cap_batches() const;
+  void read_wall(std::size_t batch, PointBatch& out) const;
+  void read_lines(std::size_t batch, PointBatch& out) const;
+  void read_apices(std::size_t batch, PointBatch& out) const;
+  void read_columns(std::size_t batch, CellBatch& out) const;
+  void read_caps(std::size_t batch, CellBatch& out) const;
+
   const LayerMesh* layers_;
   const IdVector<FaceId, PatchId>* face_patch_;
   std::span<const Vec3> wall_points_;

@@ -20,10 +20,14 @@ enum class Separation {
 struct GroupOptions {
   /// Turn above which a convex ridge gets several lines [rad], (0, pi); default 100 degrees.
   double multi_angle = 1.745329251994329577;
+  /// Angle to the worst face round a vertex from which its convex ridges get several lines [rad], (0, pi / 2]; default
+  /// 70 degrees.
+  double steep_angle = 1.221730476396030703;
 };
 
 /// Ridges that get several lines: the same answer all along a ridge, from one corner or ridge end to the next. A convex
-/// ridge gets several if its largest turn exceeds `multi_angle` or if it passes a vertex that no direction sees.
+/// ridge gets several if its largest turn exceeds `multi_angle` or if it passes or ends at a vertex that no direction
+/// sees, or only under more than `steep_angle`: a single line there would lean so far that it hardly left the wall.
 /// \returns (3 n_faces) the same for both halfedges of an edge
 /// \throws  InputError if the angle is out of range.    Cost: O(n_faces).
 IdVector<HalfedgeId, char> ridges_with_several_lines(const mesh::SurfaceMesh& surface, const mesh::Topology& topology,
@@ -41,6 +45,17 @@ struct PatchNormals {
   /// Normal of the group to which the corner belongs at which h begins.
   const PointNormal& at(HalfedgeId h) const { return normal[group_of_corner[h]]; }
 };
+
+/// The runs into which separators divide the faces round each vertex, numbered through. A vertex that one separator
+/// meets or none has one run, one without faces, too; on a boundary, which separates as well, each separator begins
+/// another.
+struct CornerGroups {
+  IdVector<VertexId, std::uint32_t> offset;       ///< (n_vertices + 1) groups of v: offset[v] to offset[v + 1] - 1
+  IdVector<HalfedgeId, std::uint32_t> of_corner;  ///< (3 n_faces) group of the corner at which a halfedge begins
+};
+
+/// \param is_separator  (3 n_faces) the same for both halfedges of an edge
+CornerGroups corner_groups(const mesh::Topology& topology, const IdVector<HalfedgeId, char>& is_separator);
 
 /// Where the groups of each vertex begin, if all groups are numbered through: (n_vertices + 1).
 /// \throws InputError if the angle is out of range.    Cost: O(n_faces).

@@ -1,0 +1,102 @@
+#include "corner_polygon.h"
+
+#include <limits>
+
+#include "nearwall/predicates/orientation.h"
+#include "nearwall/surface/normals.h"
+
+namespace nearwall::layers {
+
+namespace {
+
+/// Loops longer than this are filled from a centre line only: the search is cubic.
+constexpr std::size_t kLongestSearched = 128;
+
+/// Determinant of three directions; minus infinity unless it is positive, exactly.
+double quality(const Vec3& a, const Vec3& b, const Vec3& c) {
+  if (predicates::sign_of_determinant(a, b, c) != predicates::Sign::Positive) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  return dot(cross(a, b), c);
+}
+
+/// The best triangulation of a loop without further lines, by the parts between two of its lines.
+class Search {
+ public:
+  explicit Search(std::span<const Vec3> loop)
+      : loop_(loop), best_(loop.size() * loop.size(), std::numeric_limits<double>::infinity()), apex_(best_.size(), 0) {
+    const std::size_t n = loop.size();
+    for (std::size_t span = 2; span < n; ++span) {
+      for (std::size_t i = 0; i + span < n; ++i) find_apex(i, i + span);
+    }
+  }
+
+  double worst() const { return best_[loop_.size() - 1]; }
+
+  std::vector<std::array<std::uint32_t, 3>> triangles() const {
+    std::vector<std::array<std::uint32_t, 3>> all;
+    collect(0, loop_.size() - 1, all);
+    return all;
+  }
+
+ private:
+  void find_apex(std::size_t i, std::size_t j) {
+    const std::size_t n = loop_.size();
+    double& best = best_[i * n + j];
+    best = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = i + 1; k < j; ++k) {
+      const double parts = std::min(best_[i * n + k], best_[k * n + j]);
+      if (!(parts > best)) continue;
+      const double worst = std::min(parts, quality(loop_[i], loop_[k], loop_[j]));
+      if (worst > best) best = worst, apex_[i * n + j] = k;
+    }
+  }
+
+  void collect(std::size_t i, std::size_t j, std::vector<std::array<std::uint32_t, 3>>& all) const {
+    if (j < i + 2) return;
+    const std::size_t k = apex_[i * loop_.size() + j];
+    collect(i, k, all);
+    all.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(j)});
+    collect(k, j, all);
+  }
+
+  std::span<const Vec3> loop_;
+  std::vector<double> best_;       // (n, n) smallest determinant over the part from i to j
+  std::vector<std::size_t> apex_;  // (n, n) third corner of the triangle on the side from i to j
+};
+
+/// Fills the loop from the direction that sees all of its sides best; none if nothing sees them all.
+CornerFilling fill_from_centre(std::span<const Vec3> loop, double& worst) {
+  CornerFilling filling;
+  worst = -std::numeric_limits<double>::infinity();
+  const auto n = static_cast<std::uint32_t>(loop.size());
+  std::vector<Vec3> sides;
+  for (std::size_t i = 0; i < n; ++i) sides.push_back(normalized(cross(loop[i], loop[(i + 1) % n])));
+  const auto centre = surface::most_visible_normal(sides);
+  if (!centre) return filling;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    least = std::min(least, quality(loop[i], loop[(i + 1) % n], centre->direction));
+    filling.triangles.push_back({i, (i + 1) % n, n});
+  }
+  if (!(least > 0)) return {};
+  filling.has_centre = true;
+  filling.centre = centre->direction;
+  worst = least;
+  return filling;
+}
+
+}  // namespace
+
+CornerFilling fill_corner(std::span<const Vec3> loop) {
+  double with_centre = 0;
+  CornerFilling filling = fill_from_centre(loop, with_centre);
+  if (loop.size() > kLongestSearched) return filling;
+  const Search search(loop);
+  if (!(search.worst() > 0) || search.worst() < with_centre) return filling;
+  filling = {};
+  filling.triangles = search.triangles();
+  return filling;
+}
+
+}  // namespace nearwall::layers

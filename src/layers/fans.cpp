@@ -1,0 +1,145 @@
+#include "fans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "nearwall/geometry/angles.h"
+#include "nearwall/predicates/orientation.h"
+
+namespace nearwall::layers {
+
+namespace {
+
+using mesh::Topology;
+
+/// A turn of so much more than a multiple of the largest one needs no further line: the rounding of angles.
+constexpr double kTurnSlack = 1e-9;
+
+VertexId left_copy(const CutWall& cut, HalfedgeId h) { return cut.copy_at(h); }
+VertexId right_copy(const Wall& wall, const CutWall& cut, HalfedgeId h) {
+  return cut.copy_at(Topology::next(wall.topology.twin(h)));
+}
+
+/// Half way between the two faces of a convex edge, away from both. The sum of their normals alone loses its digits at
+/// a knife edge, where the directions that leave each face in its plane, square to the edge, agree instead.
+Vec3 outward(const Wall& wall, HalfedgeId h) {
+  const HalfedgeId twin = wall.topology.twin(h);
+  const Vec3 along =
+      normalized(wall.surface.points[wall.topology.target(h)] - wall.surface.points[wall.topology.origin(h)]);
+  const Vec3& left = wall.features.face_normal[Topology::face(h)];
+  const Vec3& right = wall.features.face_normal[Topology::face(twin)];
+  return normalized(left + right + cross(along, left) + cross(right, along));
+}
+
+/// The other cut edge at the vertex where h begins, if the fan runs through there: two cuts meet.
+HalfedgeId opposite_cut(const Wall& wall, const CutWall& cut, HalfedgeId h) {
+  const VertexId v = wall.topology.origin(h);
+  if (cut.n_copies(v) != 2) return {};
+  for (const HalfedgeId out : wall.topology.fan(v)) {
+    if (out != h && cut.is_cut(out)) return out;
+  }
+  return {};
+}
+
+/// Where the middle of the fan points: away from the edge, or from both where it runs through.
+Vec3 middle(const Wall& wall, const CutWall& cut, HalfedgeId h) {
+  const HalfedgeId other = opposite_cut(wall, cut, h);
+  const Vec3 own = outward(wall, h);
+  return other.is_valid() ? normalized(own + outward(wall, other)) : own;
+}
+
+/// Unit vectors at equal angles along the arcs from a over m to b.
+std::vector<Vec3> spread(const Vec3& a, const Vec3& m, const Vec3& b, std::size_t n) {
+  const double first = geometry::angle_between(a, m), second = geometry::angle_between(m, b);
+  std::vector<Vec3> directions{a};
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double at = (first + second) * (double(i) / double(n - 1));
+    directions.push_back(
+        normalized(at < first ? geometry::slerp(a, m, at / first) : geometry::slerp(m, b, (at - first) / second)));
+  }
+  directions.push_back(b);
+  return directions;
+}
+
+/// Sets of fans that have one number of lines.
+class Chains {
+ public:
+  explicit Chains(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+Fans::Fans(const Wall& wall, const CutWall& cut, const IdVector<VertexId, Vec3>& normal, double max_turn)
+    : wall_(wall), normal_(normal) {
+  if (!cut.has_cuts()) return;
+  number_.resize(3 * wall.surface.faces.size(), kNone);
+  for (const HalfedgeId h : number_.ids()) {
+    if (!cut.is_cut(h) || cut.n_copies(wall.topology.origin(h)) < 2) continue;
+    number_[h] = static_cast<std::uint32_t>(fans_.size());
+    fans_.push_back({h, {}});
+  }
+  count_lines(cut, max_turn);
+  for (std::size_t i = 0; i < fans_.size(); ++i) lay(cut, fans_[i], n_lines_[i]);
+  std::sort(twisted_.begin(), twisted_.end());
+  twisted_.erase(std::unique(twisted_.begin(), twisted_.end()), twisted_.end());
+}
+
+void Fans::count_lines(const CutWall& cut, double max_turn) {
+  Chains chains(fans_.size());
+  std::vector<double> turn(fans_.size());
+  for (std::size_t i = 0; i < fans_.size(); ++i) {
+    const HalfedgeId h = fans_[i].edge;
+    const Vec3 m = middle(wall_, cut, h);
+    turn[i] = geometry::angle_between(normal_[left_copy(cut, h)], m) +
+              geometry::angle_between(m, normal_[right_copy(wall_, cut, h)]);
+    if (const Fan* there = at(wall_.topology.twin(h))) chains.join(i, number_[there->edge]);
+    const HalfedgeId onwards = opposite_cut(wall_, cut, h);
+    if (onwards.is_valid()) chains.join(i, number_[onwards]);
+  }
+  std::vector<double> largest(fans_.size(), 0);
+  for (std::size_t i = 0; i < fans_.size(); ++i) {
+    double& most = largest[chains.root(i)];
+    most = std::max(most, turn[i]);
+  }
+  for (std::size_t i = 0; i < fans_.size(); ++i) {
+    const double parts = std::ceil(largest[chains.root(i)] / max_turn - kTurnSlack);
+    n_lines_.push_back(static_cast<std::size_t>(std::max(1.0, parts)) + 1);
+  }
+}
+
+void Fans::lay(const CutWall& cut, Fan& fan, std::size_t n_lines) {
+  const HalfedgeId onwards = opposite_cut(wall_, cut, fan.edge);
+  if (onwards.is_valid() && onwards < fan.edge) {
+    // One set of lines serves both edges: what is left of one is right of the other.
+    const auto& first = fans_[number_[onwards]].direction;
+    fan.direction.assign(first.rbegin(), first.rend());
+  } else {
+    const Vec3& a = normal_[left_copy(cut, fan.edge)];
+    const Vec3& b = normal_[right_copy(wall_, cut, fan.edge)];
+    fan.direction = spread(a, middle(wall_, cut, fan.edge), b, n_lines);
+  }
+  if (!turns_along_edges(fan)) twisted_.push_back(wall_.topology.origin(fan.edge));
+}
+
+/// Whether the first layer over the edge can be positive: each two neighbouring lines turn about the edge in its sense.
+bool Fans::turns_along_edges(const Fan& fan) const {
+  const Vec3 along =
+      wall_.surface.points[wall_.topology.target(fan.edge)] - wall_.surface.points[wall_.topology.origin(fan.edge)];
+  for (std::size_t i = 0; i + 1 < fan.direction.size(); ++i) {
+    if (predicates::sign_of_determinant(fan.direction[i], fan.direction[i + 1], along) != predicates::Sign::Positive) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace nearwall::layers
