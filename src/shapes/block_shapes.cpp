@@ -116,6 +116,53 @@ mesh::SurfaceMesh make_block_on_floor(const Values& v, double size) {
   return b.finish();
 }
 
+mesh::SurfaceMesh make_pit(const Values& v, double size) {
+  const double pit = v["edge"] / 2, block = v["block-length"] / 2, z = v["block-height"], floor = z - v["depth"];
+  require(pit < block, "edge of the pit must be smaller than block-length");
+  require(floor > 0, "depth of the pit must be smaller than block-height");
+  const double h = block_size(size, std::min(2 * pit, v["depth"]));
+  SurfaceBuilder b;
+  const auto square = [&](double half, double at_z) {
+    return std::vector{b.add_point({-half, -half, at_z}), b.add_point({half, -half, at_z}),
+                       b.add_point({half, half, at_z}), b.add_point({-half, half, at_z})};
+  };
+  const auto bottom = square(block, 0), rim = square(block, z), mouth = square(pit, z), ground = square(pit, floor);
+  const auto loop = [&](const std::vector<VertexId>& c) {
+    return loop_of({b.edge(c[0], c[1], h), b.edge(c[1], c[2], h), b.edge(c[2], c[3], h), b.edge(c[3], c[0], h)});
+  };
+  b.fill(b.patch("top"), {loop(rim), loop(mouth)}, plane_chart({0, 0, z}, {0, 0, 1}), h);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    add_flat_face(b, "pit", {mouth[i], mouth[j], ground[j], ground[i]}, h);
+    add_flat_face(b, "side", {bottom[i], bottom[j], rim[j], rim[i]}, h);
+  }
+  add_flat_face(b, "pit", ground, h);
+  add_flat_face(b, "bottom", reversed(bottom), h);
+  return b.finish();
+}
+
+/// A flat wall that ends in a lip, bent up as a kink or along an arc.
+mesh::SurfaceMesh make_ski_jump(const Values& v, double size) {
+  /// Largest turn from one piece of the arc to the next [rad].
+  constexpr double kArcTurn = geometry::kPi / 18;
+  const double x = v["length"], z = v["height"], lip = v["lip-length"], rise = geometry::to_radians(v["lip-angle"]);
+  const double radius = v["lip-radius"] * lip, kink = x - lip * std::cos(rise);
+  // From the kink the arc reaches as far along the wall as along the lip.
+  const double reach = radius * std::tan(rise / 2);
+  require(reach < lip, "lip-radius is too large: the lip must end in a straight piece");
+  require(reach < kink, "the lip must be shorter than the block is long");
+  const double h = block_size(size, std::min({x, z, v["width"]}));
+  std::vector<PrismCorner> polygon{{0, 0, "bottom"}, {x, 0, "back"}, {x, z + lip * std::sin(rise), "lip"}};
+  const int n = radius == 0 ? 0 : std::max(n_segments(radius * rise, h), static_cast<int>(std::ceil(rise / kArcTurn)));
+  for (int i = n; i > 0; --i) {
+    const double angle = rise * i / n;
+    polygon.push_back({kink - reach + radius * std::sin(angle), z + radius * (1 - std::cos(angle)), "lip"});
+  }
+  polygon.push_back({kink - reach, z, "top"});
+  polygon.push_back({0, z, "front"});
+  return make_prism(polygon, v["width"], h);
+}
+
 mesh::SurfaceMesh make_saddle_block(const Values& v, double size) {
   const double a = v["edge"] / 2, z0 = v["height"], rise = v["rise"];
   require(rise < z0, "rise of the saddle must be smaller than the height of the block");
@@ -216,6 +263,18 @@ std::vector<Definition> block_shapes() {
         {length("edge", 1, "edge of the cube"), length("floor-length", 3, "edge of the square plate"),
          length("floor-thickness", 0.2, "thickness of the plate")}},
        make_block_on_floor},
+      {{"pit",
+        "block with a box-shaped pit in its top; patches pit, top, side, bottom",
+        {length("edge", 1, "edge of the square pit"), length("depth", 1, "depth of the pit"),
+         length("block-length", 3, "edge of the square block"), length("block-height", 1.4, "height of the block")}},
+       make_pit},
+      {{"ski-jump",
+        "block whose top bends up to a lip before its back edge; patches bottom, back, lip, top, front, side-left, "
+        "side-right",
+        {length("length", 2, "extent along x"), width(1), length("height", 0.5, "height without the lip"),
+         length("lip-length", 0.4, "length of the lip"), angle("lip-angle", 50, 5, 85, "rise of the lip at its end"),
+         number("lip-radius", 1, 0, 20, "radius of the bend, over the length of the lip; 0: a kink")}},
+       make_ski_jump},
       {{"saddle-block",
         "block whose top is a saddle; patches saddle, side, bottom",
         {length("edge", 1, "extent along x and y"), length("height", 0.7, "height at the middle of the saddle"),

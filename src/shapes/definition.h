@@ -40,6 +40,10 @@ void require(bool holds, std::string_view what);
 
 std::vector<Definition> round_shapes();
 std::vector<Definition> block_shapes();
+std::vector<Definition> corner_shapes();
+std::vector<Definition> edge_shapes();
+std::vector<Definition> fin_shapes();
+std::vector<Definition> fading_shapes();
 std::vector<Definition> duct_shapes();
 std::vector<Definition> several_bodies();
 std::vector<Definition> wing_shapes();

@@ -15,8 +15,9 @@ namespace {
 const std::vector<Definition>& definitions() {
   static const std::vector<Definition> all = [] {
     std::vector<Definition> result;
-    for (const auto& group : {round_shapes(), block_shapes(), duct_shapes(), several_bodies(), wing_shapes(),
-                              aircraft_shapes(), vehicle_shapes()}) {
+    for (const auto& group :
+         {round_shapes(), block_shapes(), corner_shapes(), edge_shapes(), fin_shapes(), fading_shapes(), duct_shapes(),
+          several_bodies(), wing_shapes(), aircraft_shapes(), vehicle_shapes()}) {
       result.insert(result.end(), group.begin(), group.end());
     }
     return result;
