@@ -12,7 +12,7 @@ using mesh::Topology;
 
 }  // namespace
 
-VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& rows) {
+VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stacks) {
   const std::size_t n = wall.surface.points.size();
   VertexField field;
   field.schedule.resize(n, 0);
@@ -32,9 +32,8 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& 
         ++n_without;
         continue;
       }
-      const ScheduleRows& schedule = rows.schedule(patch.index());
       // The patch number last: equal stacks must not be told apart by which face comes first.
-      const std::tuple size(schedule.n_levels, schedule.asked_thickness(), patch.index());
+      const std::tuple size(stacks.n_levels(patch.index()), stacks.asked_thickness(patch.index()), patch.index());
       if (is_first || size < least) {
         least = size;
         field.schedule[v] = patch.index();

@@ -22,17 +22,24 @@ struct Entry {
 
 }  // namespace
 
-std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vector<VertexId>& seeds) {
+std::vector<VertexId> grade(const Wall& wall, const Stacks& stacks, VertexField& field,
+                            const std::vector<VertexId>& seeds) {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<VertexId> lowered;
   const auto lower_neighbours = [&](VertexId v) {
     // Where no layer is asked for, nothing limits.
     if (!(field.asked[v] > 0)) return;
     const Vec3& p = wall.surface.points[v];
+    // A line that stays at the wall may neighbour any: the cells round it are pyramids with it as their apex.
+    const Level end = stacks.fit(field.schedule[v], field.thickness[v]).end;
     for (const HalfedgeId h : wall.topology.fan(v)) {
       const VertexId u = wall.topology.target(h);
       if (!(field.thickness[u] > field.thickness[v])) continue;
-      const double limit = field.thickness[v] + kGradingSlope * distance(p, wall.surface.points[u]);
+      double limit = field.thickness[v] + kGradingSlope * distance(p, wall.surface.points[u]);
+      if (end > 0) {
+        const std::uint32_t patch = field.schedule[u];
+        limit = std::min(limit, stacks.thickness_of(patch, end + stacks.level_step(patch)));
+      }
       if (!field.lower(u, limit, LimitReason::Neighbour)) continue;
       lowered.push_back(u);
       queue.push({field.thickness[u], u});

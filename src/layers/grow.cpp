@@ -50,11 +50,11 @@ std::vector<VirtualFace> virtual_faces_of_vertices(const mesh::Front& front) {
 /// The loop of certify and shrink. Only columns and front triangles whose lines changed are looked at again.
 class Settling {
  public:
-  Settling(const Wall& wall, const LinePlan& plan, const HeightRows& rows, int patient_rounds, VertexField& field,
+  Settling(const Wall& wall, const LinePlan& plan, const Stacks& stacks, int patient_rounds, VertexField& field,
            Growth& growth)
       : wall_(wall),
         plan_(plan),
-        rows_(rows),
+        stacks_(stacks),
         patient_rounds_(patient_rounds),
         field_(field),
         growth_(growth),
@@ -118,8 +118,8 @@ class Settling {
 
   void lower(const std::vector<VertexId>& failed) {
     expect(!failed.empty(), "a failed certificate to name a line that can still be lowered");
-    const auto changed = merged(failed, grade(wall_, field_, failed));
-    update_lines(plan_, rows_, changed, resolution_, field_, growth_.lines);
+    const auto changed = merged(failed, grade(wall_, stacks_, field_, failed));
+    update_lines(plan_, stacks_, changed, resolution_, field_, growth_.lines);
     mark_changed(changed);
   }
 
@@ -140,7 +140,7 @@ class Settling {
 
   const Wall& wall_;
   const LinePlan& plan_;
-  const HeightRows& rows_;
+  const Stacks& stacks_;
   int patient_rounds_;
   VertexField& field_;
   Growth& growth_;
@@ -153,20 +153,20 @@ class Settling {
   std::vector<char> front_changed_;  // (n_front_faces) since the front was last looked at
 };
 
-HeightRows rows_of(const Wall& wall, const GrowOptions& options) {
+void check_schedules(const Wall& wall, const GrowOptions& options) {
   if (options.schedules.size() != wall.surface.patch_names.size()) {
     throw InputError(fmt::format("{} schedules for {} patches: give one for each", options.schedules.size(),
                                  wall.surface.patch_names.size()));
   }
-  std::vector<std::vector<double>> schedules;
   for (const PatchSchedule& s : options.schedules) {
     const bool is_sound = std::all_of(s.heights.begin(), s.heights.end(), [](double h) { return h > 0; });
     if (s.has_layers && (s.heights.empty() || s.heights.size() >= std::numeric_limits<Level>::max() || !is_sound)) {
       throw InputError("a patch with layers needs 1 to 65534 heights, all of them above zero");
     }
-    schedules.push_back(s.has_layers ? s.heights : std::vector<double>());
+    if (s.max_level_step && *s.max_level_step < 1) {
+      throw InputError(fmt::format("max_level_step: expected 1 or more, found {}", *s.max_level_step));
+    }
   }
-  return HeightRows(schedules);
 }
 
 void record(const VertexField& field, Growth& growth) {
@@ -193,8 +193,9 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
 }
 
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress) {
-  const HeightRows rows = rows_of(wall, options);
-  VertexField field = ask(wall, options, rows);
+  check_schedules(wall, options);
+  const Stacks stacks(options.schedules);
+  VertexField field = ask(wall, options, stacks);
   Growth growth;
 
   progress.begin_stage("normals");
@@ -204,14 +205,14 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   progress.begin_stage("limits");
   limit_by_gaps(wall, plan, field);
   progress.update(0.5);
-  grade(wall, field, {});
+  grade(wall, stacks, field, {});
   const auto curved = limit_by_curvature(wall, plan, field);
-  if (!curved.empty()) grade(wall, field, curved);
+  if (!curved.empty()) grade(wall, stacks, field, curved);
   progress.end_stage();
 
   progress.begin_stage("layers");
-  growth.lines = make_lines(wall, plan, rows, field);
-  Settling(wall, plan, rows, options.patient_rounds, field, growth).run(progress);
+  growth.lines = make_lines(wall, plan, stacks, field);
+  Settling(wall, plan, stacks, options.patient_rounds, field, growth).run(progress);
   growth.front = std::move(plan.front);
   record(field, growth);
   progress.end_stage();

@@ -12,24 +12,23 @@ namespace {
 /// Heights below so many units in the last place of the largest coordinate would be more rounding than height.
 constexpr double kResolvableUlps = 1e3;
 
-void update_vertex(const LinePlan& plan, const HeightRows& rows, VertexId v, double finest, VertexField& field,
+void update_vertex(const LinePlan& plan, const Stacks& stacks, VertexId v, double finest, VertexField& field,
                    mesh::Lines& lines) {
   const mesh::Front& front = plan.front;
-  const ScheduleRows& schedule = rows.schedule(field.schedule[v]);
-  mesh::Heights heights;
-  if (field.thickness[v] > 0) {
-    heights = schedule.fit(field.thickness[v]);
-    const double first = (heights.weight_0 + heights.weight_1) * lines.table.row(heights.row)[1];
-    if (!(first >= finest)) {
-      const mesh::LimitReason why =
-          field.reason[v] == mesh::LimitReason::None ? mesh::LimitReason::Quality : field.reason[v];
-      field.lower(v, 0, why);
-    }
+  Stack stack = stacks.fit(field.schedule[v], field.thickness[v]);
+  if (stack.end > 0) {
+    const mesh::Heights& h = stack.heights;
+    const double first = (h.weight_0 + h.weight_1) * lines.table.row(h.row)[1];
+    if (!(first >= finest)) stack = {};
+  }
+  if (stack.thickness < field.thickness[v]) {
+    const mesh::LimitReason why = field.reason[v];
+    field.lower(v, stack.thickness, why == mesh::LimitReason::None ? mesh::LimitReason::Quality : why);
   }
   for (std::uint32_t i = front.first_line[v.index()]; i < front.first_line[v.index() + 1]; ++i) {
     const LineId line(i);
-    lines.heights[line] = heights;
-    lines.windows[line] = {plan.start[v], field.thickness[v] > 0 ? schedule.n_levels : Level{0}};
+    lines.heights[line] = stack.heights;
+    lines.windows[line] = {plan.start[v], stack.end};
   }
 }
 
@@ -41,11 +40,11 @@ double resolution(const Wall& wall) {
   return kResolvableUlps * std::numeric_limits<double>::epsilon() * largest;
 }
 
-mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const HeightRows& rows, VertexField& field) {
+mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const Stacks& stacks, VertexField& field) {
   const mesh::Front& front = plan.front;
   const std::size_t n = front.n_lines();
   mesh::Lines lines;
-  lines.table = rows.table();
+  lines.table = stacks.table();
   lines.base.resize(n);
   lines.heights.resize(n);
   lines.windows.resize(n);
@@ -59,14 +58,14 @@ mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const HeightRows&
       lines.base[LineId(k)] = wall.surface.points[v];
       lines.pieces[k] = {plan.direction[LineId(k)] * plan.stretch[LineId(k)], 0.0};
     }
-    update_vertex(plan, rows, v, finest, field, lines);
+    update_vertex(plan, stacks, v, finest, field, lines);
   });
   return lines;
 }
 
-void update_lines(const LinePlan& plan, const HeightRows& rows, std::span<const VertexId> vertices, double resolution,
+void update_lines(const LinePlan& plan, const Stacks& stacks, std::span<const VertexId> vertices, double resolution,
                   VertexField& field, mesh::Lines& lines) {
-  for (const VertexId v : vertices) update_vertex(plan, rows, v, resolution, field, lines);
+  for (const VertexId v : vertices) update_vertex(plan, stacks, v, resolution, field, lines);
 }
 
 }  // namespace nearwall::layers

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "height_rows.h"
 #include "line_plan.h"
 #include "nearwall/layers/grow.h"
+#include "stacks.h"
 
 namespace nearwall::layers {
 
 /// What the growth knows of each wall vertex; all its lines share it. Thicknesses are measured normal to the wall: a
 /// line that leans is longer by its stretch.
 struct VertexField {
-  IdVector<VertexId, std::uint32_t> schedule;    ///< of HeightRows
+  IdVector<VertexId, std::uint32_t> schedule;    ///< patch whose stack it has
   IdVector<VertexId, double> asked;              ///< thickness asked for; 0 where there is no layer to be
   IdVector<VertexId, double> thickness;          ///< allowed now, <= asked; 0: blocked
   IdVector<VertexId, mesh::LimitReason> reason;  ///< of the last limit that bit
@@ -28,7 +28,7 @@ struct VertexField {
 /// Asks each vertex for the schedule of its patch, between patches for the one with fewer layers, then the thinner one.
 /// Vertices at the edge of a patch without layers are blocked; on patches without layers and on components that the
 /// fluid cannot reach nothing is asked.
-VertexField ask(const Wall& wall, const GrowOptions& options, const HeightRows& rows);
+VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stacks);
 
 /// The lines that leave the wall: normals by the chosen method, smoothed, and fans where ridges get several lines.
 /// Vertices that cannot be left are blocked.
@@ -44,9 +44,11 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan,
 /// Keeps each line below its share of the way to the next wall, by rays.
 void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field);
 
-/// Lowers neighbours so that thickness changes along the surface at a bounded rate.
+/// Lowers neighbours so that thickness changes along the surface at a bounded rate, and ends of stairs by a bounded
+/// number of levels.
 /// \param seeds  vertices whose thickness may be too low for their neighbours; empty: all
 /// \returns      vertices that were lowered
-std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vector<VertexId>& seeds);
+std::vector<VertexId> grade(const Wall& wall, const Stacks& stacks, VertexField& field,
+                            const std::vector<VertexId>& seeds);
 
 }  // namespace nearwall::layers

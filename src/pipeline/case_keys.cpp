@@ -20,10 +20,7 @@ Key later(std::string_view table, std::string_view name, Kind kind, std::string_
 
 std::vector<Key> later_keys() {
   std::vector<Key> keys = {
-      later("normals", "multi_angle", Kind::Number, "100.0", "turn of a convex ridge from which it gets several lines"),
-      later("normals", "max_turn", Kind::Number, "45.0", "largest angle between two neighbouring lines of a fan"),
       later("layers", "until", Kind::Text, "", "stop where layers are as high as their triangles are wide"),
-      later("layers", "max_level_step", Kind::Integer, "\"auto\"", "levels between neighbouring lines that move"),
       later("volume", "fill", Kind::Choice, "\"none\"", "what fills the rest of the volume"),
       later("volume", "growth", Kind::Number, "1.3", "of cells away from the layers"),
       later("volume.farfield", "shape", Kind::Choice, "\"sphere\"", "of the outer boundary"),

@@ -71,4 +71,8 @@ std::vector<Key> later_keys();
 
 inline constexpr std::string_view kAuto = "auto";
 
+inline bool is_auto(const CaseValue& v) {
+  return std::holds_alternative<std::string>(v) && std::get<std::string>(v) == kAuto;
+}
+
 }  // namespace nearwall::pipeline

@@ -6,7 +6,6 @@ namespace {
 
 double number(const CaseValue& v) { return std::get<double>(v); }
 const std::string& text(const CaseValue& v) { return std::get<std::string>(v); }
-bool is_auto(const CaseValue& v) { return std::holds_alternative<std::string>(v) && text(v) == kAuto; }
 
 CaseValue or_auto(const std::optional<double>& v) { return v ? CaseValue(*v) : CaseValue(std::string(kAuto)); }
 
@@ -140,13 +139,28 @@ std::vector<Key> normals_keys() {
        .kind = Kind::Boolean,
        .takes_auto = true,
        .default_text = "\"auto\"",
-       .later = {"true"},
-       .doc = "several lines at convex ridges that need it; this version lays one for each point in either case",
-       .set = [](Target t, const CaseValue& v) { t.settings.is_multi_allowed = is_auto(v); },
+       .doc = "several lines at convex ridges and corners that need them; false: one for each point",
+       .set = [](Target t, const CaseValue& v) { t.settings.is_multi_allowed = is_auto(v) || std::get<bool>(v); },
        .get =
            [](const Case& c, const LayerSettings&) {
              return c.is_multi_allowed ? CaseValue(std::string(kAuto)) : CaseValue(false);
            }});
+  keys.push_back({.table = "normals",
+                  .name = "multi_angle",
+                  .unit = "degrees",
+                  .default_text = "100.0",
+                  .range = {1, 179},
+                  .doc = "turn of a convex ridge from which it gets several lines",
+                  .set = [](Target t, const CaseValue& v) { t.settings.multi_angle_deg = number(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.multi_angle_deg); }});
+  keys.push_back({.table = "normals",
+                  .name = "max_turn",
+                  .unit = "degrees",
+                  .default_text = "45.0",
+                  .range = {5, 90},
+                  .doc = "largest angle between two neighbouring lines of a fan",
+                  .set = [](Target t, const CaseValue& v) { t.settings.max_turn_deg = number(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.max_turn_deg); }});
   return keys;
 }
 

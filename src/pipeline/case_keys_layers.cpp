@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "pipeline/case_keys.h"
 
 namespace nearwall::pipeline {
@@ -6,6 +9,8 @@ namespace {
 
 constexpr Range kPositive = {0, std::numeric_limits<double>::infinity(), true};
 constexpr Range kGrowthRange = {1, spacing::kMaxGrowth};
+/// In the order of OnConflict.
+constexpr std::array<std::string_view, 3> kConflictNames = {"auto", "compress", "stair"};
 constexpr Range kCountRange = {1, spacing::kMaxCount};
 
 template <std::optional<double> LayerSettings::*member>
@@ -125,17 +130,34 @@ std::vector<Key> conflicts() {
            .name = "on_conflict",
            .kind = Kind::Choice,
            .default_text = "\"auto\"",
-           .choices = {"auto", "compress"},
-           .later = {"stair"},
-           .doc = "where there is no room: layers become thinner; auto is compress in this version",
+           .choices = {kConflictNames.begin(), kConflictNames.end()},
+           .doc = "where there is no room: layers become thinner (compress) or fewer (stair); auto: docs/layers.md",
            .set =
                [](Target t, const CaseValue& v) {
-                 t.layers.on_conflict =
-                     std::get<std::string>(v) == "compress" ? OnConflict::Compress : OnConflict::Auto;
+                 const auto name = std::find(kConflictNames.begin(), kConflictNames.end(), std::get<std::string>(v));
+                 t.layers.on_conflict = static_cast<OnConflict>(name - kConflictNames.begin());
                },
            .get =
                [](const Case&, const LayerSettings& l) {
-                 return CaseValue(std::string(l.on_conflict == OnConflict::Compress ? "compress" : "auto"));
+                 const auto chosen = l.on_conflict.value_or(OnConflict::Auto);
+                 return CaseValue(std::string(kConflictNames[static_cast<std::size_t>(chosen)]));
+               }},
+          {.table = "layers",
+           .name = "max_level_step",
+           .kind = Kind::Integer,
+           .takes_auto = true,
+           .unit = "layers",
+           .default_text = "\"auto\"",
+           .range = kCountRange,
+           .doc = "by which a line may end above a neighbour that moves; auto: any number",
+           .set =
+               [](Target t, const CaseValue& v) {
+                 t.layers.max_level_step = is_auto(v) ? 0 : static_cast<int>(std::get<std::int64_t>(v));
+               },
+           .get =
+               [](const Case&, const LayerSettings& l) {
+                 const int step = l.max_level_step.value_or(0);
+                 return step > 0 ? CaseValue(std::int64_t{step}) : CaseValue(std::string(kAuto));
                }},
           {.table = "layers",
            .name = "min_coverage",

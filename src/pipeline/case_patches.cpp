@@ -61,6 +61,7 @@ LayerSettings merged(LayerSettings base, const LayerSettings& over) {
   take(base.acceleration, over.acceleration);
   take(base.largest_growth, over.largest_growth);
   take(base.on_conflict, over.on_conflict);
+  take(base.max_level_step, over.max_level_step);
   take(base.min_coverage, over.min_coverage);
   if (!over.heights.empty()) base.heights = over.heights;
   if (!over.where.empty()) base.where = over.where;
@@ -185,6 +186,8 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, std::span<const
     if (patch.type == PatchType::Wall) {
       patch.schedule = schedule_at(settings, layers, fmt::format("layers of patch \"{}\"", name));
       patch.min_coverage = layers.min_coverage.value_or(0);
+      patch.on_conflict = layers.on_conflict.value_or(OnConflict::Auto);
+      if (layers.max_level_step.value_or(0) > 0) patch.max_level_step = layers.max_level_step;
     }
     patches.push_back(std::move(patch));
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/geometry/angles.h"
 #include "nearwall/io/pending_file.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/pipeline/faults_file.h"
@@ -90,8 +91,12 @@ layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSe
   options.normals = settings.normals;
   options.filter = settings.smoothing.filter;
   options.smoothing_iterations = settings.smoothing.iterations;
+  options.several_lines = settings.is_multi_allowed;
+  options.multi_angle = geometry::to_radians(settings.multi_angle_deg);
+  options.max_turn = geometry::to_radians(settings.max_turn_deg);
   for (const PatchSettings& patch : patches) {
-    options.schedules.push_back({patch.type == PatchType::Wall, patch.schedule.heights});
+    options.schedules.push_back(
+        {patch.type == PatchType::Wall, patch.schedule.heights, patch.on_conflict, patch.max_level_step});
   }
   return options;
 }

@@ -17,15 +17,15 @@ struct Asked {
       : wall(std::move(surface), inside),
         heights(growing_for_tests::geometric(total, 1.2, 10)),
         options(options_for(wall.surface(), heights)),
-        rows(std::vector<std::vector<double>>(wall.surface().patch_names.size(), heights)),
-        field(ask(wall.wall(), options, rows)) {
+        stacks(options.schedules),
+        field(ask(wall.wall(), options, stacks)) {
     options.filter = surface::SmoothingFilter::None;
     plan = set_lines(wall.wall(), options, field, normals, sweeps);
   }
   TestWall wall;
   std::vector<double> heights;
   GrowOptions options;
-  HeightRows rows;
+  Stacks stacks;
   VertexField field;
   IdVector<VertexId, surface::PointNormal> normals;
   int sweeps = 0;
@@ -89,7 +89,7 @@ TEST(Grade, BoundsTheSlopeOfTheThicknessEverywhere) {
   const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
   Asked a(sphere, 0.8);
   a.field.lower(VertexId(7), 0.01, mesh::LimitReason::Gap);
-  const auto lowered = grade(a.wall.wall(), a.field, {VertexId(7)});
+  const auto lowered = grade(a.wall.wall(), a.stacks, a.field, {VertexId(7)});
   EXPECT_FALSE(lowered.empty());
   for (const FaceId f : sphere.faces.ids()) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -108,9 +108,7 @@ TEST(Ask, GivesTheEdgeOfTwoPatchesTheSmallerStack) {
   GrowOptions options = options_for(cube, {0.1, 0.1, 0.1});
   options.schedules[PatchId(0)].heights = {0.2};
   options.schedules[PatchId(1)].has_layers = false;
-  std::vector<std::vector<double>> stacks;
-  for (const auto& s : options.schedules) stacks.push_back(s.has_layers ? s.heights : std::vector<double>());
-  const VertexField field = ask(wall.wall(), options, HeightRows(stacks));
+  const VertexField field = ask(wall.wall(), options, Stacks(options.schedules));
   for (const VertexId v : cube.points.ids()) {
     bool on_0 = false, on_1 = false, on_others = false;
     for (const HalfedgeId h : wall.topology().fan(v)) {

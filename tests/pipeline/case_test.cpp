@@ -90,8 +90,8 @@ ridge_angle = 30
 [normals]
 method = "angle"
 multi  = false
-multi_angle = 100.0
-max_turn    = 45
+multi_angle = 90.0
+max_turn = 30.0
 [smoothing]
 filter = "laplacian"
 iterations = 7
@@ -101,7 +101,7 @@ growth       = 1.25
 count        = 20
 law          = "tanh"
 on_conflict  = "compress"
-max_level_step = "auto"
+max_level_step = 2
 min_coverage = 90
 [flow]
 velocity = 50
@@ -129,6 +129,8 @@ pictures = false
   EXPECT_EQ(c.ridge_angle_deg, 30);
   EXPECT_EQ(c.normals, surface::NormalMethod::Angle);
   EXPECT_FALSE(c.is_multi_allowed);
+  EXPECT_EQ(c.multi_angle_deg, 90);
+  EXPECT_EQ(c.max_turn_deg, 30);
   EXPECT_EQ(c.smoothing.filter, surface::SmoothingFilter::Laplacian);
   EXPECT_EQ(c.smoothing.iterations, 7);
   EXPECT_EQ(c.layers.y_plus, 1);
@@ -136,6 +138,7 @@ pictures = false
   EXPECT_EQ(c.layers.count, 20);
   EXPECT_EQ(c.layers.law, spacing::Law::Tanh);
   EXPECT_EQ(c.layers.on_conflict, OnConflict::Compress);
+  EXPECT_EQ(c.layers.max_level_step, 2);
   EXPECT_EQ(c.layers.min_coverage, 90);
   EXPECT_EQ(c.flow->velocity, 50);
   EXPECT_EQ(c.output.directory, "results");
@@ -179,19 +182,24 @@ INSTANTIATE_TEST_SUITE_P(
         {"MistypedChoice", "law = \"geometrc\"\n",
          "dir/case.toml:5:7: layers.law: expected \"geometric\", \"accelerating\", \"tanh\", \"table\", found "
          "\"geometrc\"; nearest: \"geometric\""},
-        {"Stairs", "on_conflict = \"stair\"\n",
-         "dir/case.toml:5:15: layers.on_conflict: \"stair\" is not in this version; expected \"auto\", \"compress\""},
+        {"Conflict", "on_conflict = \"stairs\"\n",
+         "dir/case.toml:5:15: layers.on_conflict: expected \"auto\", \"compress\", \"stair\", found \"stairs\"; "
+         "nearest: "
+         "\"stair\""},
         {"Until", "until = \"isotropic\"\n", "dir/case.toml:5:9: layers.until: \"isotropic\" is not in this version"},
-        {"LevelStep", "max_level_step = 3\n", "dir/case.toml:5:18: layers.max_level_step: 3 is not in this version"},
+        {"LevelStep", "max_level_step = 0\n",
+         "dir/case.toml:5:18: layers.max_level_step: expected \"auto\" or an integer from 1 to 10000 (layers), found "
+         "0"},
         {"Fill", "[volume]\nfill = \"tetgen\"\n",
          "dir/case.toml:6:8: volume.fill: \"tetgen\" is not in this version; expected \"none\""},
         {"FarFieldRadius", "[volume.farfield]\nradius = 10\n",
          "dir/case.toml:6:10: volume.farfield.radius: 10 is not in this version"},
         {"Symmetry", "[patches.mid]\ntype = \"symmetry\"\n",
          "dir/case.toml:6:8: patches.mid.type: \"symmetry\" is not in this version; expected \"wall\", \"nolayer\""},
-        {"Multi", "[normals]\nmulti = true\n", "dir/case.toml:6:9: normals.multi: true is not in this version"},
-        {"MultiAngle", "[normals]\nmulti_angle = 90\n",
-         "dir/case.toml:6:15: normals.multi_angle: 90 is not in this version"},
+        {"MultiAngle", "[normals]\nmulti_angle = 190\n",
+         "dir/case.toml:6:15: normals.multi_angle: expected a number from 1 to 179 (degrees), found 190"},
+        {"MaxTurn", "[normals]\nmax_turn = 0\n",
+         "dir/case.toml:6:12: normals.max_turn: expected a number from 5 to 90 (degrees), found 0"},
         {"Format", "[output]\nformats = [\"vtu\", \"cgns\"]\n",
          "dir/case.toml:6:11: output.formats: \"cgns\" is not in this version; expected a list of \"vtu\""},
         {"NoFormat", "[output]\nformats = []\n",
@@ -206,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"UnknownKeyOfPatch", "[patches.wing]\nkind = \"wall\"\n",
          "dir/case.toml:6:1: patches.wing.kind: unknown key; keys of [patches] are type, first_height, y_plus, growth, "
          "count, total_thickness, law, heights, constant_layers, acceleration, largest_growth, on_conflict, "
-         "min_coverage, until, max_level_step"},
+         "max_level_step, min_coverage, until"},
         {"TooManyQuantities", "growth = 1.2\ncount = 3\ntotal_thickness = 1.0\n",
          "dir/case.toml:4:1: layers: any three of first_height, growth, count and total_thickness determine "
          "the "
@@ -309,6 +317,8 @@ TEST(CaseTemplate, ParsesToTheDefaults) {
   EXPECT_EQ(c.surface.weld, d.surface.weld);
   EXPECT_EQ(c.ridge_angle_deg, d.ridge_angle_deg);
   EXPECT_EQ(c.is_multi_allowed, d.is_multi_allowed);
+  EXPECT_EQ(c.multi_angle_deg, d.multi_angle_deg);
+  EXPECT_EQ(c.max_turn_deg, d.max_turn_deg);
   EXPECT_EQ(c.smoothing.iterations, d.smoothing.iterations);
   EXPECT_EQ(c.layers.first_height, d.layers.first_height);
   EXPECT_EQ(c.layers.growth, d.layers.growth);

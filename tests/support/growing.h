@@ -45,7 +45,9 @@ class TestWall {
 /// The same stack on every patch.
 inline layers::GrowOptions options_for(const mesh::SurfaceMesh& surface, std::vector<double> heights) {
   layers::GrowOptions options;
-  options.schedules.assign(surface.patch_names.size(), {true, std::move(heights)});
+  layers::PatchSchedule schedule;
+  schedule.heights = std::move(heights);
+  options.schedules.assign(surface.patch_names.size(), schedule);
   return options;
 }
 

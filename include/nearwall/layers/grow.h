@@ -15,10 +15,15 @@
 
 namespace nearwall::layers {
 
+/// What happens to a line that cannot have all its layers: they become thinner, or fewer; Auto: docs/layers.md.
+enum class OnConflict { Auto, Compress, Stair };
+
 /// What is asked for on one patch.
 struct PatchSchedule {
   bool has_layers = true;       ///< false: nolayer, or a component that the fluid cannot reach
   std::vector<double> heights;  ///< height of each layer from the wall up, > 0; empty if there are no layers
+  OnConflict on_conflict = OnConflict::Auto;
+  std::optional<int> max_level_step;  ///< levels by which a line may end above a neighbour that moves; nullopt: any
 };
 
 struct GrowOptions {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nearwall/geometry/box.h"
+#include "nearwall/layers/grow.h"
 #include "nearwall/spacing/schedule.h"
 #include "nearwall/spacing/wall_units.h"
 #include "nearwall/surface/admission.h"
@@ -18,8 +19,7 @@ namespace nearwall {
 /// What a patch is to the layers.
 enum class PatchType { Wall, NoLayer };
 
-/// What happens to a line that cannot have all its layers. This version compresses them in either case.
-enum class OnConflict { Auto, Compress };
+using layers::OnConflict;
 
 /// Keys of [layers], which a patch may give, too; what is empty is inherited.
 struct LayerSettings {
@@ -34,6 +34,7 @@ struct LayerSettings {
   std::optional<double> acceleration;    ///< law "accelerating"
   std::optional<double> largest_growth;  ///< law "accelerating"
   std::optional<OnConflict> on_conflict;
+  std::optional<int> max_level_step;   ///< levels between neighbouring lines that move; 0: "auto"
   std::optional<double> min_coverage;  ///< [percent] of the patch with all layers
   std::string where;                   ///< place of the first key in the case file, for messages
 
@@ -76,7 +77,9 @@ struct Case {
   std::vector<PatchRule> patches;  ///< in the order of the file; later ones win, exact names over patterns
   double ridge_angle_deg = 40;     ///< turn from which an edge is a ridge [degrees]
   surface::NormalMethod normals = surface::NormalMethod::MostVisible;
-  bool is_multi_allowed = true;  ///< normals.multi = "auto". This version lays one line for each point in either case
+  bool is_multi_allowed = true;  ///< normals.multi: several lines at convex ridges and corners that need them
+  double multi_angle_deg = 100;  ///< turn of a convex ridge from which it gets several lines [degrees]
+  double max_turn_deg = 45;      ///< largest angle between two neighbouring lines of a fan [degrees]
   SmoothingSettings smoothing;
   LayerSettings layers;
   std::optional<spacing::FlowConditions> flow;
@@ -104,7 +107,9 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
 struct PatchSettings {
   PatchType type = PatchType::Wall;
   spacing::Schedule schedule;  ///< empty for NoLayer
-  double min_coverage = 0;     ///< [percent]
+  OnConflict on_conflict = OnConflict::Auto;
+  std::optional<int> max_level_step;  ///< levels between neighbouring lines that move; nullopt: any
+  double min_coverage = 0;            ///< [percent]
 };
 
 /// \param patch_names  of the surface
