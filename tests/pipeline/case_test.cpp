@@ -188,8 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
          "\"stair\""},
         {"Until", "until = \"isotropic\"\n", "dir/case.toml:5:9: layers.until: \"isotropic\" is not in this version"},
         {"LevelStep", "max_level_step = 0\n",
-         "dir/case.toml:5:18: layers.max_level_step: expected \"auto\" or an integer from 1 to 10000 (layers), found "
-         "0"},
+         "dir/case.toml:5:18: layers.max_level_step: expected an integer from 1 to 1000 (layers) or \"auto\", found 0"},
         {"Fill", "[volume]\nfill = \"tetgen\"\n",
          "dir/case.toml:6:8: volume.fill: \"tetgen\" is not in this version; expected \"none\""},
         {"FarFieldRadius", "[volume.farfield]\nradius = 10\n",
