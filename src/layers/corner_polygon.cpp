@@ -12,6 +12,10 @@ namespace {
 /// Loops longer than this are filled from a centre line only: the search is cubic.
 constexpr std::size_t kLongestSearched = 128;
 
+/// Determinants and lengths that differ by no more than this count as equal: rounding must not choose between fillings
+/// that symmetry makes alike.
+constexpr double kAlike = 1e-9;
+
 /// Determinant of three directions; minus infinity unless it is positive, exactly.
 double quality(const Vec3& a, const Vec3& b, const Vec3& c) {
   if (predicates::sign_of_determinant(a, b, c) != predicates::Sign::Positive) {
@@ -20,18 +24,29 @@ double quality(const Vec3& a, const Vec3& b, const Vec3& c) {
   return dot(cross(a, b), c);
 }
 
+/// How well a part of the loop is filled: by its smallest determinant, then by the length of its diagonals.
+struct Value {
+  double worst = -std::numeric_limits<double>::infinity();
+  double diagonals = 0;
+
+  bool is_better_than(const Value& other) const {
+    if (worst > other.worst + kAlike) return true;
+    return worst > other.worst - kAlike && diagonals < other.diagonals - kAlike;
+  }
+};
+
 /// The best triangulation of a loop without further lines, by the parts between two of its lines.
 class Search {
  public:
-  explicit Search(std::span<const Vec3> loop)
-      : loop_(loop), best_(loop.size() * loop.size(), std::numeric_limits<double>::infinity()), apex_(best_.size(), 0) {
+  explicit Search(std::span<const Vec3> loop) : loop_(loop), best_(loop.size() * loop.size()), apex_(best_.size(), 0) {
     const std::size_t n = loop.size();
+    for (std::size_t i = 0; i + 1 < n; ++i) best_[i * n + i + 1].worst = std::numeric_limits<double>::infinity();
     for (std::size_t span = 2; span < n; ++span) {
       for (std::size_t i = 0; i + span < n; ++i) find_apex(i, i + span);
     }
   }
 
-  double worst() const { return best_[loop_.size() - 1]; }
+  double worst() const { return best_[loop_.size() - 1].worst; }
 
   std::vector<std::array<std::uint32_t, 3>> triangles() const {
     std::vector<std::array<std::uint32_t, 3>> all;
@@ -42,13 +57,14 @@ class Search {
  private:
   void find_apex(std::size_t i, std::size_t j) {
     const std::size_t n = loop_.size();
-    double& best = best_[i * n + j];
-    best = -std::numeric_limits<double>::infinity();
+    Value& best = best_[i * n + j];
+    const double side = j - i == n - 1 ? 0.0 : distance(loop_[i], loop_[j]);
     for (std::size_t k = i + 1; k < j; ++k) {
-      const double parts = std::min(best_[i * n + k], best_[k * n + j]);
-      if (!(parts > best)) continue;
-      const double worst = std::min(parts, quality(loop_[i], loop_[k], loop_[j]));
-      if (worst > best) best = worst, apex_[i * n + j] = k;
+      const Value &left = best_[i * n + k], &right = best_[k * n + j];
+      Value value{std::min(left.worst, right.worst), left.diagonals + right.diagonals + side};
+      if (!value.is_better_than(best)) continue;
+      value.worst = std::min(value.worst, quality(loop_[i], loop_[k], loop_[j]));
+      if (value.is_better_than(best)) best = value, apex_[i * n + j] = k;
     }
   }
 
@@ -61,7 +77,7 @@ class Search {
   }
 
   std::span<const Vec3> loop_;
-  std::vector<double> best_;       // (n, n) smallest determinant over the part from i to j
+  std::vector<Value> best_;        // (n, n) over the part from i to j
   std::vector<std::size_t> apex_;  // (n, n) third corner of the triangle on the side from i to j
 };
 
@@ -93,7 +109,7 @@ CornerFilling fill_corner(std::span<const Vec3> loop) {
   CornerFilling filling = fill_from_centre(loop, with_centre);
   if (loop.size() > kLongestSearched) return filling;
   const Search search(loop);
-  if (!(search.worst() > 0) || search.worst() < with_centre) return filling;
+  if (!(search.worst() > 0) || search.worst() < with_centre - kAlike) return filling;
   filling = {};
   filling.triangles = search.triangles();
   return filling;

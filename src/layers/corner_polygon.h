@@ -21,7 +21,8 @@ struct CornerFilling {
 
 /// Triangles over a loop of directions, each of which turns the right way round, exactly: so that the tetrahedra of the
 /// first layer are positive. Of all triangulations of the loop, and of the one that joins each of its sides to the most
-/// visible direction in the middle, the one whose smallest determinant is largest; ties to the lowest numbers.
+/// visible direction in the middle, the one whose smallest determinant is largest; of those that are alike the one
+/// with the shortest diagonals.
 /// None exists where the loop cannot be filled.
 /// \param loop  (n >= 3) unit vectors, counterclockwise seen from the fluid.    Cost: O(n³), for n above 128 O(n).
 /// Source: docs/theory/fans.md.
