@@ -24,6 +24,28 @@ double quality(const Vec3& a, const Vec3& b, const Vec3& c) {
   return dot(cross(a, b), c);
 }
 
+/// Whether the great arcs (a, b) and (c, d), each shorter than half a circle, cross. Exact; touching is no crossing.
+bool arcs_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const auto side = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return static_cast<int>(predicates::sign_of_determinant(p, q, r));
+  };
+  const int c_of_ab = side(a, b, c), d_of_ab = side(a, b, d), a_of_cd = side(c, d, a), b_of_cd = side(c, d, b);
+  // Circles cross at two opposite points; the arcs hold the same one of them if they pass each other in these senses.
+  return c_of_ab * d_of_ab < 0 && a_of_cd * b_of_cd < 0 && c_of_ab * b_of_cd > 0;
+}
+
+/// Whether no two sides of the loop cross.
+bool is_simple(std::span<const Vec3> loop) {
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i + 2 < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;
+      if (arcs_cross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % n])) return false;
+    }
+  }
+  return true;
+}
+
 /// How well a part of the loop is filled: by its smallest determinant, then by the length of its diagonals.
 struct Value {
   double worst = -std::numeric_limits<double>::infinity();
@@ -105,6 +127,7 @@ CornerFilling fill_from_centre(std::span<const Vec3> loop, double& worst) {
 }  // namespace
 
 CornerFilling fill_corner(std::span<const Vec3> loop) {
+  if (loop.size() <= kLongestSearched && !is_simple(loop)) return {};
   double with_centre = 0;
   CornerFilling filling = fill_from_centre(loop, with_centre);
   if (loop.size() > kLongestSearched) return filling;

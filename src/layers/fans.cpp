@@ -16,6 +16,9 @@ using mesh::Topology;
 /// A turn of so much more than a multiple of the largest one needs no further line: the rounding of angles.
 constexpr double kTurnSlack = 1e-9;
 
+/// Angle between two groups up to which the great arc between them is followed [rad]: 150 degrees.
+constexpr double kWidestStraight = geometry::to_radians(150);
+
 VertexId left_copy(const CutWall& cut, HalfedgeId h) { return cut.copy_at(h); }
 VertexId right_copy(const Wall& wall, const CutWall& cut, HalfedgeId h) {
   return cut.copy_at(Topology::next(wall.topology.twin(h)));
@@ -49,17 +52,38 @@ Vec3 middle(const Wall& wall, const CutWall& cut, HalfedgeId h) {
   return other.is_valid() ? normalized(own + outward(wall, other)) : own;
 }
 
-/// Unit vectors at equal angles along the arcs from a over m to b.
-std::vector<Vec3> spread(const Vec3& a, const Vec3& m, const Vec3& b, std::size_t n) {
-  const double first = geometry::angle_between(a, m), second = geometry::angle_between(m, b);
-  std::vector<Vec3> directions{a};
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const double at = (first + second) * (double(i) / double(n - 1));
-    directions.push_back(
-        normalized(at < first ? geometry::slerp(a, m, at / first) : geometry::slerp(m, b, (at - first) / second)));
+/// The arcs along which a fan turns from one group to the other: straight, or over the middle between the two faces of
+/// the edge where the groups look in nearly opposite directions and the straight arc might run any way round.
+struct Arcs {
+  Vec3 from, over, to;
+  bool is_bent = false;
+
+  Arcs(const Vec3& a, const Vec3& middle, const Vec3& b)
+      : from(a), over(middle), to(b), is_bent(geometry::angle_between(a, b) > kWidestStraight) {}
+
+  double turn() const {
+    if (!is_bent) return geometry::angle_between(from, to);
+    return geometry::angle_between(from, over) + geometry::angle_between(over, to);
   }
-  directions.push_back(b);
-  return directions;
+
+  /// n unit vectors at equal angles.
+  std::vector<Vec3> spread(std::size_t n) const {
+    const double first = geometry::angle_between(from, over), all = turn();
+    std::vector<Vec3> directions{from};
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const double share = double(i) / double(n - 1), at = all * share;
+      Vec3 d = is_bent && at < first ? geometry::slerp(from, over, at / first) : Vec3();
+      if (is_bent && !(at < first)) d = geometry::slerp(over, to, (at - first) / (all - first));
+      if (!is_bent) d = geometry::slerp(from, to, share);
+      directions.push_back(normalized(d));
+    }
+    directions.push_back(to);
+    return directions;
+  }
+};
+
+Arcs arcs_of(const Wall& wall, const CutWall& cut, const IdVector<VertexId, Vec3>& normal, HalfedgeId h) {
+  return {normal[left_copy(cut, h)], middle(wall, cut, h), normal[right_copy(wall, cut, h)]};
 }
 
 /// Sets of fans that have one number of lines.
@@ -98,9 +122,7 @@ void Fans::count_lines(const CutWall& cut, double max_turn) {
   std::vector<double> turn(fans_.size());
   for (std::size_t i = 0; i < fans_.size(); ++i) {
     const HalfedgeId h = fans_[i].edge;
-    const Vec3 m = middle(wall_, cut, h);
-    turn[i] = geometry::angle_between(normal_[left_copy(cut, h)], m) +
-              geometry::angle_between(m, normal_[right_copy(wall_, cut, h)]);
+    turn[i] = arcs_of(wall_, cut, normal_, h).turn();
     if (const Fan* there = at(wall_.topology.twin(h))) chains.join(i, number_[there->edge]);
     const HalfedgeId onwards = opposite_cut(wall_, cut, h);
     if (onwards.is_valid()) chains.join(i, number_[onwards]);
@@ -123,9 +145,7 @@ void Fans::lay(const CutWall& cut, Fan& fan, std::size_t n_lines) {
     const auto& first = fans_[number_[onwards]].direction;
     fan.direction.assign(first.rbegin(), first.rend());
   } else {
-    const Vec3& a = normal_[left_copy(cut, fan.edge)];
-    const Vec3& b = normal_[right_copy(wall_, cut, fan.edge)];
-    fan.direction = spread(a, middle(wall_, cut, fan.edge), b, n_lines);
+    fan.direction = arcs_of(wall_, cut, normal_, fan.edge).spread(n_lines);
   }
   if (!turns_along_edges(fan)) twisted_.push_back(wall_.topology.origin(fan.edge));
 }
