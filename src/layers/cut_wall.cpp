@@ -9,24 +9,6 @@ namespace {
 using mesh::Topology;
 using surface::PointKind;
 
-/// Ridges that get several lines, with layers on both sides.
-IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options) {
-  IdVector<HalfedgeId, char> is_cut(wall.features.is_ridge.size(), 0);
-  if (!options.several_lines) return is_cut;
-  is_cut = surface::ridges_with_several_lines(wall.surface, wall.topology, wall.features,
-                                              {.multi_angle = options.multi_angle});
-  const auto has_layers = [&](HalfedgeId h) {
-    const FaceId f = Topology::face(h);
-    return wall.is_wetted[f] && options.schedules[wall.surface.face_patch[f]].has_layers;
-  };
-  for (const HalfedgeId h : is_cut.ids()) {
-    if (is_cut[h] && !(has_layers(h) && has_layers(wall.topology.twin(h)))) {
-      is_cut[h] = is_cut[wall.topology.twin(h)] = 0;
-    }
-  }
-  return is_cut;
-}
-
 IdVector<VertexId, VertexId> find_originals(const surface::CornerGroups& groups) {
   IdVector<VertexId, VertexId> original(groups.offset.raw().back());
   for (std::size_t v = 0; v + 1 < groups.offset.size(); ++v) {
@@ -55,6 +37,23 @@ mesh::SurfaceMesh with_copies(const mesh::SurfaceMesh& wall, const surface::Corn
 
 }  // namespace
 
+IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options) {
+  IdVector<HalfedgeId, char> is_cut(wall.features.is_ridge.size(), 0);
+  if (!options.several_lines) return is_cut;
+  is_cut = surface::ridges_with_several_lines(wall.surface, wall.topology, wall.features,
+                                              {.multi_angle = options.multi_angle});
+  const auto has_layers = [&](HalfedgeId h) {
+    const FaceId f = Topology::face(h);
+    return wall.is_wetted[f] && options.schedules[wall.surface.face_patch[f]].has_layers;
+  };
+  for (const HalfedgeId h : is_cut.ids()) {
+    if (is_cut[h] && !(has_layers(h) && has_layers(wall.topology.twin(h)))) {
+      is_cut[h] = is_cut[wall.topology.twin(h)] = 0;
+    }
+  }
+  return is_cut;
+}
+
 CutWall::Cut::Cut(const Wall& wall, const IdVector<HalfedgeId, char>& is_cut, surface::CornerGroups corner_groups)
     : groups(std::move(corner_groups)),
       original(find_originals(groups)),
@@ -75,7 +74,7 @@ CutWall::Cut::Cut(const Wall& wall, const IdVector<HalfedgeId, char>& is_cut, su
   }
 }
 
-CutWall::CutWall(const Wall& wall, const GrowOptions& options) : wall_(wall), is_cut_(find_cuts(wall, options)) {
+CutWall::CutWall(const Wall& wall, IdVector<HalfedgeId, char> is_cut) : wall_(wall), is_cut_(std::move(is_cut)) {
   if (std::find(is_cut_.begin(), is_cut_.end(), 1) == is_cut_.end()) return;
   surface::CornerGroups groups = surface::corner_groups(wall.topology, is_cut_);
   // Cuts that divide no vertex make no fan.

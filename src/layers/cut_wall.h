@@ -7,13 +7,17 @@
 
 namespace nearwall::layers {
 
+/// Ridges that get several lines, with layers on both sides: (3 n_faces).
+IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options);
+
 /// The wall cut open along the ridges that get several lines: each group of faces round a vertex has a copy of that
 /// vertex for itself, and the ridge has become two boundaries. Normals and their smoothing know nothing of fans: they
 /// work on this surface. Copy g is group g of `groups`; faces and halfedges keep their numbers. Without such ridges it
 /// is the wall itself. The wall must outlive it.
 class CutWall {
  public:
-  CutWall(const Wall& wall, const GrowOptions& options);
+  /// \param is_cut  (3 n_faces) the same for both halfedges of an edge
+  CutWall(const Wall& wall, IdVector<HalfedgeId, char> is_cut);
 
   const mesh::SurfaceMesh& surface() const { return cut_ ? cut_->surface : wall_.surface; }
   const mesh::Topology& topology() const { return cut_ ? cut_->topology : wall_.topology; }
