@@ -47,18 +47,21 @@ std::pair<Triquadratic<T>, Triquadratic<T>> halves(const Triquadratic<T>& c, int
   return h;
 }
 
-/// No: a value at a corner, that is the polynomial itself there, is not positive. Yes: all coefficients are positive.
-/// `settled` tells whether that answer stands; if not, the box has to be cut up.
+/// What the coefficients of a box tell about the polynomial on it.
+struct BoxVerdict {
+  Verdict corners = Verdict::Yes;  ///< whether the values at the corners, eight of the coefficients, are positive
+  Verdict all = Verdict::Yes;      ///< whether all coefficients are
+};
+
 template <class T>
-Verdict box_verdict(const Triquadratic<T>& c, bool& settled) {
-  Verdict corners = Verdict::Yes, all = Verdict::Yes;
+BoxVerdict box_verdict(const Triquadratic<T>& c) {
+  BoxVerdict verdict;
   for (int i = 0; i < 27; ++i) {
     const Verdict sign = is_positive(c[i]);
-    all = both(all, sign);
-    if (i / 9 != 1 && i / 3 % 3 != 1 && i % 3 != 1) corners = both(corners, sign);
+    verdict.all = both(verdict.all, sign);
+    if (i / 9 != 1 && i / 3 % 3 != 1 && i % 3 != 1) verdict.corners = both(verdict.corners, sign);
   }
-  settled = corners == Verdict::No || all == Verdict::Yes;
-  return corners == Verdict::No ? Verdict::No : all;
+  return verdict;
 }
 
 inline constexpr int kMaxHalvings = 8;              ///< boxes of 2^-8 of the cell are not cut any more
@@ -72,10 +75,10 @@ Verdict hexahedron_verdict(std::span<const Vec3, 8> p) {
   for (int level = 0; level <= kMaxHalvings; ++level) {
     std::vector<Triquadratic<T>> left_open;
     for (auto& box : open) {
-      bool settled = false;
-      const Verdict verdict = box_verdict(box, settled);
-      if (settled && verdict == Verdict::No) return Verdict::No;
-      if (!settled) left_open.push_back(std::move(box));
+      const BoxVerdict verdict = box_verdict(box);
+      // A corner stays a corner however the box is cut: where its sign is open, cutting is in vain.
+      if (verdict.corners != Verdict::Yes) return verdict.corners;
+      if (verdict.all != Verdict::Yes) left_open.push_back(std::move(box));
     }
     if (left_open.empty()) return Verdict::Yes;
     if (left_open.size() > kMaxOpenBoxes) return Verdict::Open;

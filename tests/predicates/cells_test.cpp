@@ -186,6 +186,24 @@ TEST(Wedge, OfCoplanarPointsIsNotPositiveWhateverRoundingAndUnderflowSay) {
   }
 }
 
+TEST(Hexahedron, OfCoplanarPointsIsNotPositiveWhateverRoundingAndUnderflowSay) {
+  Points points(Kind::Uniform, 18);
+  constexpr int kMillion = 1000000;
+  const auto in_plane = [&] {
+    const int x = points.integer(-kMillion, kMillion), y = points.integer(-kMillion, kMillion);
+    return Vec3(x, y, x + 3 * y);
+  };
+  for (const double scale : {1.0, 0x1p-360, 0x1p-375}) {
+    for (int i = 0; i < 5000; ++i) {
+      // All four edges of a direction are one vector, so rounding errs in the same way in all 27 coefficients.
+      const Vec3 p = in_plane(), u = in_plane(), v = in_plane(), w = in_plane();
+      Hexahedron h{p, p + u, p + u + v, p + v, p + w, p + u + w, p + u + v + w, p + v + w};
+      for (Vec3& corner : h) corner *= scale;
+      ASSERT_EQ(hexahedron(h), Positivity::NotPositive) << "round " << i << " at scale " << scale;
+    }
+  }
+}
+
 TEST_P(CellsOverAllKinds, WedgeDoesNotDependOnTheNumbering) {
   Points points(GetParam(), 12);
   for (int i = 0; i < kRounds / 4; ++i) {

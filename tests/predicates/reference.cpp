@@ -29,6 +29,30 @@ mpz_class scaled(double v, int exponent) {
 
 int sign_of(const mpz_class& v) { return sgn(v); }
 
+/// det J of a hexahedron at (u, v, w) / n, times n^6.
+mpz_class determinant_at(std::span<const Point> p, int u, int v, int w, int n) {
+  const auto blend = [&](const Point& a, const Point& b, int t) { return mpz_class(n - t) * a + mpz_class(t) * b; };
+  const auto along = [&](int a, int b) { return p[b] - p[a]; };
+  const Point du = blend(blend(along(0, 1), along(3, 2), v), blend(along(4, 5), along(7, 6), v), w);
+  const Point dv = blend(blend(along(0, 3), along(1, 2), u), blend(along(4, 7), along(5, 6), u), w);
+  const Point dw = blend(blend(along(0, 4), along(1, 5), u), blend(along(3, 7), along(2, 6), u), v);
+  return dot(cross(du, dv), dw);
+}
+
+/// Values of a triquadratic on the 3 x 3 x 3 grid to 8 times its Bernstein coefficients: f(0), f(1/2), f(1) to 2 f(0),
+/// 4 f(1/2) − f(0) − f(1), 2 f(1) along each axis.
+void interpolate(std::array<mpz_class, 27>& values) {
+  for (const int stride : {9, 3, 1}) {
+    for (int i = 0; i < 27; ++i) {
+      if (i / stride % 3 != 0) continue;
+      mpz_class &first = values[i], &middle = values[i + stride], &last = values[i + 2 * stride];
+      middle = 4 * middle - first - last;
+      first *= 2;
+      last *= 2;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Point> as_integers(std::span<const Vec3> points) {
@@ -78,6 +102,34 @@ bool is_parabola_positive(const mpz_class& at_0, const mpz_class& four_at_half, 
   return !has_vertex_inside || 4 * a * at_0 > b * b;
 }
 
+int roots_in_unit_interval(const mpz_class& at_0, const mpz_class& four_at_half, const mpz_class& at_1) {
+  const mpq_class a = 2 * at_0 + 2 * at_1 - four_at_half, b = four_at_half - 3 * at_0 - at_1, c = at_0;
+  // The polynomial, its derivative 2 a t + b, minus the remainder of their division.
+  const auto changes = [&](const mpq_class& t) {
+    const mpq_class last = a == 0 ? mpq_class(0) : mpq_class(b * b / (4 * a) - c);
+    int n = 0, before = 0;
+    for (const mpq_class& value : {mpq_class((a * t + b) * t + c), mpq_class(2 * a * t + b), last}) {
+      if (value == 0) continue;
+      n += before != 0 && sgn(value) != before ? 1 : 0;
+      before = sgn(value);
+    }
+    return n;
+  };
+  return changes(0) - changes(1);
+}
+
+bool is_pyramid_positive(std::span<const Vec3, 5> points) {
+  const auto p = as_integers(points);
+  for (const int u : {0, 1}) {
+    for (const int v : {0, 1}) {
+      const Point du = v == 0 ? p[1] - p[0] : p[2] - p[3], dv = u == 0 ? p[3] - p[0] : p[2] - p[1];
+      const Point at = p[static_cast<std::size_t>(v == 0 ? u : 3 - u)];
+      if (dot(cross(du, dv), p[4] - at) <= 0) return false;
+    }
+  }
+  return true;
+}
+
 bool is_wedge_positive(std::span<const Vec3, 6> points) {
   const auto p = as_integers(points);
   for (int i = 0; i < 3; ++i) {
@@ -92,13 +144,36 @@ bool is_wedge_positive(std::span<const Vec3, 6> points) {
 }
 
 mpz_class hexahedron_determinant(std::span<const Vec3, 8> points, int u, int v, int w, int n) {
+  return determinant_at(as_integers(points), u, v, w, n);
+}
+
+predicates::Positivity hexahedron_positivity(std::span<const Vec3, 8> points) {
+  using predicates::Positivity;
+  constexpr int kHalvings = 8;
+  constexpr std::size_t kMostOpen = 1024;
   const auto p = as_integers(points);
-  const auto blend = [&](const Point& a, const Point& b, int t) { return mpz_class(n - t) * a + mpz_class(t) * b; };
-  const auto along = [&](int a, int b) { return p[b] - p[a]; };
-  const Point du = blend(blend(along(0, 1), along(3, 2), v), blend(along(4, 5), along(7, 6), v), w);
-  const Point dv = blend(blend(along(0, 3), along(1, 2), u), blend(along(4, 7), along(5, 6), u), w);
-  const Point dw = blend(blend(along(0, 4), along(1, 5), u), blend(along(3, 7), along(2, 6), u), v);
-  return dot(cross(du, dv), dw);
+  std::vector<std::array<int, 3>> boxes{{0, 0, 0}};
+  for (int level = 0; level <= kHalvings; ++level) {
+    std::vector<std::array<int, 3>> open;
+    for (const auto& [u, v, w] : boxes) {
+      std::array<mpz_class, 27> values;
+      for (int i = 0; i < 27; ++i) {
+        values[i] = determinant_at(p, 2 * u + i / 9, 2 * v + i / 3 % 3, 2 * w + i % 3, 2 << level);
+        const bool is_corner = i / 9 != 1 && i / 3 % 3 != 1 && i % 3 != 1;
+        if (is_corner && values[i] <= 0) return Positivity::NotPositive;
+      }
+      interpolate(values);
+      if (std::any_of(values.begin(), values.end(), [](const mpz_class& c) { return c <= 0; }))
+        open.push_back({u, v, w});
+    }
+    if (open.empty()) return Positivity::Positive;
+    if (open.size() > kMostOpen) break;
+    boxes.clear();
+    for (const auto& [u, v, w] : open) {
+      for (int k = 0; k < 8; ++k) boxes.push_back({2 * u + (k & 1), 2 * v + (k >> 1 & 1), 2 * w + (k >> 2)});
+    }
+  }
+  return Positivity::Undecided;
 }
 
 bool is_parallel_hexahedron_positive(std::span<const Vec3, 8> p) {
