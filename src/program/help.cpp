@@ -110,7 +110,7 @@ std::string overview() {
     check      what is wrong with a surface, and what its edges are like
     normals    point normals of a surface
     picture    a picture of a surface or mesh, no display needed
-    certify    the certificate of any mesh (not in this version)
+    certify    the certificate of any mesh, and the layers it has on a wall
 
   prepare
     layers     first height and layers for a y+ that you want

@@ -44,11 +44,7 @@ TEST_P(EveryCommand, NamesTheNearestOfItsOptions) {
   const Outcome wrong = Workplace().run({GetParam(), "--qiuet"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.out, IsEmpty());
-  if (std::string(GetParam()) == "certify") {
-    EXPECT_THAT(wrong.err, HasSubstr("not in this version"));
-  } else {
-    EXPECT_THAT(wrong.err, HasSubstr("unknown option '--qiuet'; did you mean '--quiet'?"));
-  }
+  EXPECT_THAT(wrong.err, HasSubstr("unknown option '--qiuet'; did you mean '--quiet'?"));
 }
 
 TEST_P(EveryCommand, RefusesSomeThreads) {
@@ -91,12 +87,6 @@ TEST(Program, TellsErrorsAsJsonToo) {
   EXPECT_EQ(json["error"]["kind"], "input");
   EXPECT_THAT(json["error"]["message"].get<std::string>(), HasSubstr("missing.toml"));
   EXPECT_THAT(wrong.err, HasSubstr("missing.toml"));
-}
-
-TEST(Program, KnowsCertifyAsACommandOfLaterVersions) {
-  const Outcome outcome = Workplace().run({"certify", "mesh.vtu", "--wall", "wing.stl"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("not in this version"));
 }
 
 TEST(Program, SaysWhenStandardOutputTakesNoMore) {
