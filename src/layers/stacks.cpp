@@ -9,7 +9,7 @@ namespace nearwall::layers {
 namespace {
 
 /// "auto" and "compress": layers are thinned as long as no height falls below this share of the first one asked.
-constexpr double kLeastScale = 0;
+constexpr double kLeastScale = 0.01;
 
 std::vector<std::vector<double>> heights_of(const IdVector<PatchId, PatchSchedule>& schedules) {
   std::vector<std::vector<double>> heights;
