@@ -130,6 +130,18 @@ void turned_hexahedron(benchmark::State& state) {
 }
 BENCHMARK(turned_hexahedron);
 
+/// Nothing but exact arithmetic can tell the sign of its corners.
+void flat_hexahedron(benchmark::State& state) {
+  std::array<Vec3, 8> p;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double x = kBox[k].x() + 0.3 * kBox[k].z(), y = kBox[k].y() + 0.7 * kBox[k].z();
+    p[k] = Vec3(x, y, x + 2 * y);
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(hexahedron(p));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(flat_hexahedron);
+
 void orientation_in_doubles(benchmark::State& state) {
   const Vec3 a(0.1, 0.2, 0.3), b(1.1, 0.2, 0.35), c(0.2, 1.3, 0.2), d(0.3, 0.4, 1.5);
   for (auto _ : state) benchmark::DoNotOptimize(orientation(a, b, c, d));
