@@ -73,14 +73,12 @@ bool are_finite(std::span<const Vec3> points, const FaceNodes& face) {
 }
 
 /// Points 4 and 5.
-void look_at_boundary(const mesh::VolumeMesh& mesh, std::span<const FaceNodes> boundary, MeshCertificate& result,
-                      ProgressSink& progress) {
+void look_at_boundary(const mesh::VolumeMesh& mesh, std::span<const FaceNodes> boundary, MeshCertificate& result) {
   const bool is_finite_boundary = std::all_of(boundary.begin(), boundary.end(),
                                               [&](const FaceNodes& face) { return are_finite(mesh.points, face); });
   if (!is_finite_boundary) return;
   const search::PatchTree tree({mesh.points, boundary});
   result.intersections = tree.intersections(kMaxPairs);
-  progress.update(0.9);
   if (!result.intersections->meeting.empty() || !result.intersections->undecided.empty()) {
     result.n_coincident_points = count_coincident_points(mesh.points, boundary);
     return;
@@ -119,17 +117,20 @@ MeshCertificate certify_mesh(const mesh::VolumeMesh& mesh, ProgressSink& progres
   if (mesh.n_cells() == 0) {
     throw InputError("expected tetrahedra, pyramids, wedges or hexahedra to certify, found no cell of these");
   }
-  progress.begin_stage("certificate");
+  const auto stage = [&](const char* name, auto&& work) {
+    progress.begin_stage(name);
+    work();
+    progress.end_stage();
+  };
   MeshCertificate result;
-  result.cells = cell_verdicts(mesh);
-  progress.update(0.4);
-  result.faces = conformity(mesh);
-  progress.update(0.7);
-  const std::vector<FaceNodes> boundary = boundary_corners(mesh, result.faces);
-  measure(mesh, boundary, result);
-  look_at_boundary(mesh, boundary, result, progress);
-  progress.update(1.0);
-  progress.end_stage();
+  stage("cells", [&] { result.cells = cell_verdicts(mesh); });
+  stage("faces", [&] { result.faces = conformity(mesh); });
+  stage("boundary", [&] {
+    const std::vector<FaceNodes> boundary = boundary_corners(mesh, result.faces);
+    measure(mesh, boundary, result);
+    progress.update(0.5);
+    look_at_boundary(mesh, boundary, result);
+  });
   return result;
 }
 

@@ -182,6 +182,9 @@ std::string wall_text(const WallReport& wall) {
   std::string out = fmt::format("layers on {}\n", wall.file);
   out += fmt::format("  {} of {} triangles are faces of the mesh ({} bit for bit)\n",
                      grouped(wall.match.n_exact + wall.match.n_near), grouped(n), grouped(wall.match.n_exact));
+  if (wall.match.n_exact + wall.match.n_near == 0) {
+    out += "  > is that the surface the mesh was made from, with the same triangles and in the same unit?\n";
+  }
   Table table({{"patch", false},
                {"layers", true},
                {"all %", true},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
@@ -264,6 +265,36 @@ TEST(MeshCertificate, AcceptsARingOfCubesThatClosesAtAnEdge) {
     add_cell(mesh, CellType::Hexahedron, {nodes.begin(), nodes.end()});
   }
   EXPECT_TRUE(certify_mesh(mesh).is_valid());
+}
+
+TEST(MeshCertificate, AcceptsBentBoundaries) {
+  // Points moved at random by up to a fifth of an edge, and the block twisted: no quad is planar any more.
+  for (const Cells* cells : {&as_hexahedron(), &as_wedges()}) {
+    VolumeMesh mesh = block(8, *cells);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> move(-0.2 / 8, 0.2 / 8);
+    for (Vec3& p : mesh.points) {
+      const double x = p.x() + move(random), y = p.y() + move(random), z = p.z() + move(random);
+      p = Vec3(x * std::cos(z) - y * std::sin(z), x * std::sin(z) + y * std::cos(z), z);
+    }
+    const MeshCertificate c = certify_mesh(mesh);
+    EXPECT_TRUE(c.is_valid());
+    EXPECT_TRUE(c.cells.offenders.empty());
+    EXPECT_TRUE(c.intersections->undecided.empty());
+    EXPECT_LT(c.closure().value(), 1e-14);
+  }
+}
+
+TEST(MeshCertificate, LeavesUndecidedALayerThinnerThanItsQuadsAreBent) {
+  // One hexahedron between z = x y and the same a thousandth above: a mesh without fault, but of the quads only the
+  // hulls are looked at. What counts is that it is not called valid without proof, nor said to meet itself.
+  VolumeMesh mesh = block(1, as_hexahedron());
+  for (Vec3& p : mesh.points) p = Vec3(p.x(), p.y(), p.x() * p.y() + 1e-3 * p.z());
+  const MeshCertificate c = certify_mesh(mesh);
+  EXPECT_TRUE(c.cells.offenders.empty());
+  EXPECT_TRUE(c.intersections->meeting.empty());
+  EXPECT_EQ(c.intersections->undecided.size(), 1u);
+  EXPECT_FALSE(c.is_valid());
 }
 
 TEST(MeshCertificate, TakesAHoleAsACavity) {
