@@ -5,7 +5,6 @@
 
 #include "nearwall/certify/certificate.h"
 #include "nearwall/geometry/angles.h"
-#include "nearwall/surface/patch_normals.h"
 
 namespace nearwall::pipeline {
 
@@ -46,6 +45,19 @@ Doubles visibility_angles(const layers::Wall& wall, const layers::Growth& growth
   return worst;
 }
 
+/// Lines of each vertex that march from faces: one for each group of faces round it.
+Integers group_counts(const layers::Wall& wall, const layers::Growth& growth) {
+  std::vector<char> is_of_faces(growth.front.n_lines(), 0);
+  for (std::size_t f = 0; f < growth.front.n_wall_faces; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) is_of_faces[growth.front.faces[FrontFaceId(f)].lines[k].index()] = 1;
+  }
+  Integers counts(wall.surface.points.size(), 0);
+  for (const LineId line : growth.front.line_vertex.ids()) {
+    counts[growth.front.line_vertex[line].index()] += is_of_faces[line.index()];
+  }
+  return counts;
+}
+
 void add_point_arrays(const layers::Wall& wall, const layers::Growth& growth, io::PolyDataFile& file) {
   const auto vertices = wall.surface.points.ids();
   const auto line = [&](VertexId v) { return LineId(growth.front.first_line[v.index()]); };
@@ -61,9 +73,7 @@ void add_point_arrays(const layers::Wall& wall, const layers::Growth& growth, io
                                return to_int(growth.front.first_line[v.index() + 1] -
                                              growth.front.first_line[v.index()]);
                              })});
-  const auto offset = surface::group_offsets(wall.surface, wall.topology, wall.features, surface::Separation::Groups);
-  file.point_data.push_back(
-      {"Groups", values(vertices, [&](VertexId v) { return to_int(offset[VertexId(v.index() + 1)] - offset[v]); })});
+  file.point_data.push_back({"Groups", group_counts(wall, growth)});
   file.point_data.push_back({"Levels", values(vertices, [&](VertexId v) {
                                const mesh::Window window = growth.lines.windows[line(v)];
                                return to_int(window.moves() ? window.end : Level{0});
