@@ -1,0 +1,88 @@
+#include "layers/stacks.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/growing.h"
+
+namespace nearwall::layers {
+namespace {
+
+constexpr int kCount = 10;
+constexpr std::uint32_t kPatch = 0;
+
+IdVector<PatchId, PatchSchedule> schedules(OnConflict on_conflict, std::optional<int> step = {}) {
+  PatchSchedule schedule;
+  schedule.heights = growing_for_tests::geometric(1.0, 1.2, kCount);
+  schedule.on_conflict = on_conflict;
+  schedule.max_level_step = step;
+  return IdVector<PatchId, PatchSchedule>(1, schedule);
+}
+
+/// Distance of a level of a stack from the wall.
+double distance_of(const Stacks& stacks, const Stack& stack, Level level) {
+  const mesh::HeightTable table = stacks.table();
+  const mesh::Heights& h = stack.heights;
+  const double upper = h.weight_1 == 0 ? 0 : h.weight_1 * table.row(h.row + 1)[level];
+  return h.weight_0 * table.row(h.row)[level] + upper;
+}
+
+TEST(Stacks, GivesAllThatIsAskedWhereThereIsRoom) {
+  for (const auto on_conflict : {OnConflict::Auto, OnConflict::Compress, OnConflict::Stair}) {
+    const Stacks stacks(schedules(on_conflict));
+    const Stack stack = stacks.fit(kPatch, 2.0);
+    EXPECT_EQ(stack.end, kCount);
+    EXPECT_DOUBLE_EQ(stack.thickness, 1.0);
+    EXPECT_EQ(stacks.fit(kPatch, 0).end, 0);
+  }
+}
+
+TEST(Stacks, IsNeverThickerThanAllowed) {
+  for (const auto on_conflict : {OnConflict::Compress, OnConflict::Stair}) {
+    const Stacks stacks(schedules(on_conflict));
+    for (double limit = 1.1; limit > 1e-6; limit *= 0.97) {
+      const Stack stack = stacks.fit(kPatch, limit);
+      EXPECT_LE(stack.thickness, limit);
+      if (stack.end == 0) continue;
+      EXPECT_NEAR(distance_of(stacks, stack, stack.end), stack.thickness, 1e-12 * limit);
+    }
+  }
+}
+
+TEST(Stacks, LeavesOutLayersOfStairsOnly) {
+  const auto asked = growing_for_tests::geometric(1.0, 1.2, kCount);
+  const Stacks stacks(schedules(OnConflict::Stair));
+  double thickness = 0;
+  for (Level levels = 1; levels <= kCount; ++levels) {
+    thickness += asked[levels - std::size_t{1}];
+    EXPECT_EQ(stacks.fit(kPatch, thickness * (1 + 1e-12)).end, levels);
+    EXPECT_EQ(stacks.fit(kPatch, thickness * (1 - 1e-12)).end, levels - 1);
+    EXPECT_NEAR(stacks.thickness_of(kPatch, levels), thickness, 1e-12);
+    EXPECT_NEAR(distance_of(stacks, stacks.fit(kPatch, thickness * (1 + 1e-12)), 1), asked[0], 1e-15);
+  }
+}
+
+TEST(Stacks, KeepsTheFirstHeightThenItsHundredthThenDropsLayers) {
+  const double first = growing_for_tests::geometric(1.0, 1.2, kCount).front();
+  const Stacks stacks(schedules(OnConflict::Compress));
+  const auto first_height = [&](const Stack& stack) { return distance_of(stacks, stack, 1); };
+  const Stack uniform = stacks.fit(kPatch, kCount * first);
+  EXPECT_EQ(uniform.end, kCount);
+  EXPECT_NEAR(first_height(uniform), first, 1e-12);
+  const Stack thinnest = stacks.fit(kPatch, 0.01 * kCount * first * (1 + 1e-12));
+  EXPECT_EQ(thinnest.end, kCount);
+  EXPECT_NEAR(first_height(thinnest), 0.01 * first, 1e-12);
+  const Stack half = stacks.fit(kPatch, 0.01 * kCount * first / 2 * (1 + 1e-12));
+  EXPECT_EQ(half.end, kCount / 2);
+  EXPECT_NEAR(first_height(half), 0.01 * first, 1e-12);
+  EXPECT_EQ(stacks.fit(kPatch, 0.005 * first).end, 0) << "not even one layer";
+}
+
+TEST(Stacks, KnowsTheStepOfAPatch) {
+  EXPECT_EQ(Stacks(schedules(OnConflict::Stair, 3)).level_step(kPatch), 3);
+  EXPECT_GE(Stacks(schedules(OnConflict::Stair)).level_step(kPatch), kCount);
+}
+
+}  // namespace
+}  // namespace nearwall::layers
