@@ -42,9 +42,11 @@ IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& option
   if (!options.several_lines) return is_cut;
   is_cut = surface::ridges_with_several_lines(wall.surface, wall.topology, wall.features,
                                               {.multi_angle = options.multi_angle});
+  // The line at the end of a fan skips a level: with a single one it would have none.
   const auto has_layers = [&](HalfedgeId h) {
     const FaceId f = Topology::face(h);
-    return wall.is_wetted[f] && options.schedules[wall.surface.face_patch[f]].has_layers;
+    const PatchSchedule& schedule = options.schedules[wall.surface.face_patch[f]];
+    return wall.is_wetted[f] && schedule.has_layers && schedule.heights.size() > 1;
   };
   for (const HalfedgeId h : is_cut.ids()) {
     if (is_cut[h] && !(has_layers(h) && has_layers(wall.topology.twin(h)))) {

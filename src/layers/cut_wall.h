@@ -7,7 +7,7 @@
 
 namespace nearwall::layers {
 
-/// Ridges that get several lines, with layers on both sides: (3 n_faces).
+/// Ridges that get several lines, with two layers or more on both sides: (3 n_faces).
 IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options);
 
 /// The wall cut open along the ridges that get several lines: each group of faces round a vertex has a copy of that

@@ -19,7 +19,8 @@ void update_vertex(const LinePlan& plan, const Stacks& stacks, VertexId v, doubl
   if (stack.end > 0) {
     const mesh::Heights& h = stack.heights;
     const double first = (h.weight_0 + h.weight_1) * lines.table.row(h.row)[1];
-    if (!(first >= finest)) stack = {};
+    // A line that starts late needs a level to go to.
+    if (!(first >= finest) || stack.end <= plan.start[v]) stack = {};
   }
   if (stack.thickness < field.thickness[v]) {
     const mesh::LimitReason why = field.reason[v];

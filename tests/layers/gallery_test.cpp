@@ -77,6 +77,7 @@ TEST_P(Gallery, LayersAreCertifiedAndWhatIsMissingHasAReason) {
       // As scheduled: every height, to rounding, along a direction that sees the wall.
       EXPECT_EQ(reached, growth.asked_thickness[line]);
       ASSERT_EQ(growth.lines.windows[line].end, asked.size());
+      ASSERT_TRUE(growth.lines.windows[line].moves());
       double sum = 0;
       for (std::size_t j = 0; j < asked.size(); ++j) {
         sum += asked[j];
