@@ -61,7 +61,9 @@ std::optional<int> cover_behind(const search::PatchTree& tree, std::span<const s
   for (std::size_t i = 0; i < std::min(kMaxTries, faces.size()); ++i) {
     // From all over the part.
     const std::uint32_t face = faces[i * faces.size() / std::min(kMaxTries, faces.size())];
-    if (const auto gate = tree.gate(face)) return tree.winding_number(gate->behind);
+    const auto gate = tree.gate(face);
+    const auto cover = gate ? tree.winding_number(gate->behind) : std::nullopt;
+    if (cover) return cover;
   }
   return std::nullopt;
 }

@@ -158,7 +158,7 @@ std::string boundary_faults(const CertifyReport& report) {
           : "cells overlap there: bodies too near to each other, or layers that run into each other";
   return pair_faults(report, "pairs of boundary faces that meet", advice, c.intersections->meeting) +
          pair_faults(report, "pairs of boundary faces that cannot be told apart",
-                     "quads that are bent more than they are apart: finer there, or triangles in their place",
+                     "quads that are bent far more than they are apart: finer there, or triangles in their place",
                      c.intersections->undecided);
 }
 

@@ -1,6 +1,7 @@
 #include "search/patch.h"
 
 #include "nearwall/predicates/orientation.h"
+#include "nearwall/predicates/patch_side.h"
 
 namespace nearwall::search {
 
@@ -40,11 +41,19 @@ bool Patch::is_surely_crossed(const Vec3& from, const Vec3& to) const {
   return !is_warped() || meets(2) || meets(3);
 }
 
-bool Patch::is_met(const Vec3& from, const Vec3& to) const {
-  for (int i = 0; i < n_triangles(); ++i) {
-    if (predicates::segment_intersects_triangle(from, to, triangle(i))) return true;
+bool Patch::may_be_met(const Vec3& from, const Vec3& to) const {
+  bool is_met = is_warped() && hull_contains(from);
+  for (int i = 0; i < n_triangles() && !is_met; ++i) {
+    is_met = predicates::segment_intersects_triangle(from, to, triangle(i));
   }
-  return is_warped() && hull_contains(from);
+  return is_met && !(is_warped() && are_surely_apart(corners(), {from, to, to, from}));
+}
+
+Sign Patch::side_in_hull(const Vec3& p) const {
+  const Vec3 &a = point(0), &b = point(1), &c = point(2), &d = point(3);
+  // With d above the triangle a b c, the edge a c is on the side where the corners are seen clockwise from.
+  const Sign nearer_ac = predicates::patch_side(a, b, c, d, p);
+  return static_cast<Sign>(-static_cast<int>(nearer_ac) * static_cast<int>(orientation(a, b, c, d)));
 }
 
 Vec3 Patch::middle() const {

@@ -6,7 +6,9 @@
 
 #include "nearwall/core/vec3.h"
 #include "nearwall/predicates/intersection.h"
+#include "nearwall/predicates/orientation.h"
 #include "nearwall/search/patch_tree.h"
+#include "search/patch_pieces.h"
 
 namespace nearwall::search {
 
@@ -41,8 +43,12 @@ class Patch {
   bool hull_contains(const Vec3& p) const;
   /// Whether a straight way surely crosses the patch: for one that is warped, from one side of its hull to the other.
   bool is_surely_crossed(const Vec3& from, const Vec3& to) const;
-  /// Whether a straight way meets the patch, or the hull of a warped one.
-  bool is_met(const Vec3& from, const Vec3& to) const;
+  /// False: a straight way surely does not meet the patch.
+  bool may_be_met(const Vec3& from, const Vec3& to) const;
+  /// Corners for `are_surely_apart`.
+  PatchCorners corners() const { return {point(0), point(1), point(2), point(size() == 3 ? 2 : 3)}; }
+  /// Which side of the patch a point of its hull is on: positive where the corners are seen counterclockwise from.
+  predicates::Sign side_in_hull(const Vec3& p) const;
   /// Mean of the corners: within the patch if it is planar.
   Vec3 middle() const;
 

@@ -162,7 +162,9 @@ PatchContact contact(const Patch& a, const Patch& b) {
   if (!a.is_warped() && !b.is_warped()) return PatchContact::Meeting;
   const bool is_crossed = an_edge_crosses(a, b, [&](int i) { return shared.has_in_a(i); }) ||
                           an_edge_crosses(b, a, [&](int j) { return shared.has_in_b(j); });
-  return is_crossed ? PatchContact::Meeting : PatchContact::Undecided;
+  if (is_crossed) return PatchContact::Meeting;
+  const bool are_apart = shared.count == 0 && are_surely_apart(a.corners(), b.corners());
+  return are_apart ? PatchContact::Apart : PatchContact::Undecided;
 }
 
 }  // namespace nearwall::search

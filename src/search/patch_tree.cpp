@@ -4,9 +4,6 @@
 #include <limits>
 #include <mutex>
 
-#include <fmt/format.h>
-
-#include "nearwall/core/errors.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/predicates/orientation.h"
@@ -60,8 +57,12 @@ Vec3 normal_of(const Patch& patch) {
   return normalized(cross(patch.point(2) - patch.point(0), patch.point(3) - patch.point(1)));
 }
 
-/// Whether the points lie strictly on the two sides of all triangles of a patch, and the way between them crosses it.
+/// Whether the way between the points surely crosses a patch once, from its one side to the other: within the hull of
+/// a warped one, or from strictly beyond one side of all its triangles to beyond the other.
 bool passes(const Patch& patch, const PatchTree::Gate& gate) {
+  if (patch.is_warped() && patch.hull_contains(gate.behind) && patch.hull_contains(gate.before)) {
+    return patch.side_in_hull(gate.behind) == Sign::Negative && patch.side_in_hull(gate.before) == Sign::Positive;
+  }
   for (int i = 0; i < patch.n_triangles(); ++i) {
     const auto [a, b, c] = patch.triangle(i);
     if (predicates::orientation(a, b, c, gate.before) != Sign::Positive) return false;
@@ -85,7 +86,8 @@ struct PatchTree::Tree {
 
   /// Pairs of the patch at a place of the tree with those behind it.
   void find_pairs(std::size_t place, PatchPairs& found) const;
-  std::optional<int> crossings(const Vec3& point, const Vec3& through) const;
+  std::optional<int> crossings(const Vec3& point, const Vec3& through, int pair) const;
+  std::optional<int> between_patches_and_triangles(const Vec3& point, int pair) const;
 
   std::span<const Vec3> points;
   std::span<const std::array<std::uint32_t, 4>> corners;
@@ -107,14 +109,16 @@ void PatchTree::Tree::find_pairs(std::size_t place, PatchPairs& found) const {
   tree.for_each([&](const geometry::Box& b) { return b.intersects(box); }, visit, place + 1);
 }
 
-/// Signed crossings of a ray, nothing if it is degenerate.
-std::optional<int> PatchTree::Tree::crossings(const Vec3& point, const Vec3& through) const {
+/// Signed crossings of a ray with triangles that stand in for the patches, of warped ones the first or the second pair;
+/// nothing if the ray is degenerate.
+std::optional<int> PatchTree::Tree::crossings(const Vec3& point, const Vec3& through, int pair) const {
   const SegmentBoxes ray(point, through, std::numeric_limits<double>::infinity());
   int sum = 0;
   bool is_degenerate = false;
   const auto visit = [&](std::size_t place) {
     const Patch p = patch(tree.item(place));
-    for (int i = 0; i < p.n_triangles() && i < 2 && !is_degenerate; ++i) {
+    const int first = p.is_warped() ? 2 * pair : 0;
+    for (int i = first; i < p.n_triangles() && i < first + 2 && !is_degenerate; ++i) {
       const RayCrossing crossing = predicates::ray_crossing(point, through, p.triangle(i));
       if (crossing == RayCrossing::Degenerate) is_degenerate = true;
       if (crossing == RayCrossing::Along) ++sum;
@@ -123,6 +127,28 @@ std::optional<int> PatchTree::Tree::crossings(const Vec3& point, const Vec3& thr
   };
   tree.for_each([&](const geometry::Box& b) { return !is_degenerate && !ray.interval(b).is_empty(); }, visit);
   if (is_degenerate) return std::nullopt;
+  return sum;
+}
+
+/// What the winding number of the patches is more than that of the triangles. Nothing if the point lies on a patch.
+std::optional<int> PatchTree::Tree::between_patches_and_triangles(const Vec3& point, int pair) const {
+  int sum = 0;
+  bool is_on_patch = false;
+  const auto visit = [&](std::size_t place) {
+    const Patch p = patch(tree.item(place));
+    if (!p.is_warped() || !p.hull_contains(point)) return;
+    const Sign side = p.side_in_hull(point);
+    is_on_patch |= side == Sign::Zero;
+    // On one side of the patch are the triangles of the first pair, on the other those of the second: where the hull
+    // bends to the positive side, the first pair lies behind it. What lies behind the patch and before its triangles is
+    // wound about once more than they tell; before it and behind them, once less.
+    const Sign bend = predicates::orientation(p.point(0), p.point(1), p.point(2), p.point(3));
+    const bool are_behind = (bend == Sign::Positive) == (pair == 0);
+    if (side == Sign::Negative && are_behind) ++sum;
+    if (side == Sign::Positive && !are_behind) --sum;
+  };
+  tree.for_each([&](const geometry::Box& b) { return b.contains(point); }, visit);
+  if (is_on_patch) return std::nullopt;
   return sum;
 }
 
@@ -161,7 +187,7 @@ std::optional<PatchTree::Gate> PatchTree::gate(std::uint32_t patch) const {
     bool is_free = true;
     const auto visit = [&](std::size_t place) {
       const std::uint32_t other = tree_->tree.item(place);
-      if (other != patch && is_free) is_free = !tree_->patch(other).is_met(gate.behind, gate.before);
+      if (other != patch && is_free) is_free = !tree_->patch(other).may_be_met(gate.behind, gate.before);
     };
     tree_->tree.for_each([&](const geometry::Box& b) { return is_free && !way.interval(b).is_empty(); }, visit);
     if (is_free) return gate;
@@ -169,14 +195,17 @@ std::optional<PatchTree::Gate> PatchTree::gate(std::uint32_t patch) const {
   return std::nullopt;
 }
 
-int PatchTree::winding_number(const Vec3& point) const {
+std::optional<int> PatchTree::winding_number(const Vec3& point) const {
   // A ray as long as its point is far from the origin has a direction that rounding hardly turns.
   const double reach = std::max(tree_->reach, max_norm(point));
-  for (int k = 0; k < kMaxRays; ++k) {
-    if (const auto sum = tree_->crossings(point, point + reach * ray_direction(k))) return *sum;
+  for (const int pair : {0, 1}) {
+    const auto between = tree_->between_patches_and_triangles(point, pair);
+    if (!between) return std::nullopt;
+    for (int k = 0; k < kMaxRays; ++k) {
+      if (const auto sum = tree_->crossings(point, point + reach * ray_direction(k), pair)) return *sum + *between;
+    }
   }
-  throw GeometryError(fmt::format("expected a point off the surface to count windings about, found ({}, {}, {}) on it",
-                                  point.x(), point.y(), point.z()));
+  return std::nullopt;
 }
 
 }  // namespace nearwall::search

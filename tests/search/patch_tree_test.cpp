@@ -163,16 +163,61 @@ TEST(PatchTree, KnowsPlanarQuadsExactly) {
   EXPECT_EQ(with({}, {0, 1, 2, kNoCorner}), Answer::Meeting) << "its own half";
 }
 
-TEST(PatchTree, LeavesUndecidedWhatMeetsTheHullOfAWarpedQuad) {
-  // z = x y over the unit square; its hull reaches from 0 to 1 / 2 in the middle, the patch is at 1 / 4.
+TEST(PatchTree, CutsUpWarpedQuads) {
+  // z = x y over the unit square: 1 / 4 in the middle, where its hull reaches from 0 to 1 / 2.
   const auto with_triangle_at = [](double z) {
     return answer({{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0.45, 0.5, z}, {0.55, 0.45, z}, {0.5, 0.55, z}},
                    {{0, 1, 2, 3}, {4, 5, 6, kNoCorner}}});
   };
   EXPECT_EQ(with_triangle_at(-0.01), Answer::Apart);
-  EXPECT_EQ(with_triangle_at(0.1), Answer::Undecided);
-  EXPECT_EQ(with_triangle_at(0.25), Answer::Undecided);
+  EXPECT_EQ(with_triangle_at(0.1), Answer::Apart);
+  EXPECT_EQ(with_triangle_at(0.2), Answer::Apart);
+  EXPECT_EQ(with_triangle_at(0.25), Answer::Undecided) << "crossed, but by no edge that leaves the hull on both sides";
+  EXPECT_EQ(with_triangle_at(0.4), Answer::Apart);
   EXPECT_EQ(with_triangle_at(0.53), Answer::Apart);
+}
+
+/// z = x y and the same a little higher, closed to a box by its sides: a thin, bent plate seen from outside.
+Patches bent_plate(double thickness) {
+  Patches plate;
+  for (const double lift : {0.0, thickness}) {
+    plate.points.insert(plate.points.end(), {{0, 0, lift}, {1, 0, lift}, {1, 1, 1 + lift}, {0, 1, lift}});
+  }
+  plate.corners = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  return plate;
+}
+
+TEST(PatchTree, SeesThroughAPlateThinnerThanItIsBent) {
+  for (const double thickness : {0.3, 0.05, 0.01, 0.002}) {
+    const Patches plate = bent_plate(thickness);
+    const PatchTree tree(plate.all());
+    EXPECT_TRUE(tree.intersections(10).meeting.empty());
+    EXPECT_TRUE(tree.intersections(10).undecided.empty()) << thickness;
+    for (std::uint32_t face = 0; face < 2; ++face) {
+      const auto gate = tree.gate(face);
+      ASSERT_TRUE(gate.has_value()) << thickness;
+      EXPECT_EQ(tree.winding_number(gate->behind), 1);
+      EXPECT_EQ(tree.winding_number(gate->before), 0);
+    }
+  }
+  EXPECT_FALSE(PatchTree(bent_plate(1e-9).all()).intersections(10).undecided.empty());
+}
+
+TEST(PatchTree, CountsWindingsOfWarpedQuadsAboutAnyPoint) {
+  const double thickness = 0.2;
+  const Patches plate = bent_plate(thickness);
+  const PatchTree tree(plate.all());
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> coordinate(-0.2, 1.4);
+  int n_inside = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    const bool is_inside = x > 0 && x < 1 && y > 0 && y < 1 && z > x * y && z < x * y + thickness;
+    ASSERT_EQ(tree.winding_number({x, y, z}), is_inside ? 1 : 0) << x << " " << y << " " << z;
+    n_inside += is_inside ? 1 : 0;
+  }
+  EXPECT_GT(n_inside, 100);
+  EXPECT_EQ(tree.winding_number({0.5, 0.5, 0.25}), std::nullopt) << "on a patch";
 }
 
 TEST(PatchTree, KnowsPatchesThatShareThreeCorners) {
