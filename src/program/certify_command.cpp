@@ -79,7 +79,7 @@ void write_outputs(const CertifyArguments& arguments, const mesh::VolumeMesh& me
     if (n == 0) {
       console.say(fmt::format("there are no offending {} to write to {}", what, name));
     } else {
-      console.print(fmt::format("{} offending {}: {}\n", grouped(n), what, name));
+      console.print(fmt::format("the offending {} ({}): {}\n", what, grouped(n), name));
     }
   }
 }

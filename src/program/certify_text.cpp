@@ -29,6 +29,29 @@ std::string by_type(const std::array<std::uint64_t, mesh::kNCellTypes>& counts) 
 
 std::string line(std::string_view name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
 
+/// "this: 3", and what is left open.
+std::string counted(std::string_view what, std::uint64_t n, std::string_view open, std::uint64_t n_open) {
+  std::string out = n > 0 ? fmt::format("{}: {}", what, grouped(n)) : "";
+  if (n_open > 0) out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", open, grouped(n_open));
+  return out;
+}
+
+std::string boundary_verdict(const MeshCertificate& c) {
+  if (!c.intersections) return "has points that are not finite";
+  const search::PatchPairs& found = *c.intersections;
+  if (found.meeting.empty() && found.undecided.empty()) return "does not meet itself";
+  return counted("pairs of faces that meet", found.meeting.size(), "pairs that cannot be told apart",
+                 found.undecided.size()) +
+         (found.is_complete ? "" : ", and more");
+}
+
+std::string covers_verdict(const MeshCertificate& c) {
+  if (!c.covered_twice) return "cannot be counted";
+  if (c.covered_twice->empty() && c.n_undecided_parts == 0) return "no point twice";
+  return counted("parts of the boundary with space covered twice behind them", c.covered_twice->size(),
+                 "parts that cannot be looked behind", c.n_undecided_parts);
+}
+
 /// One line for each point of the certificate.
 std::string verdicts(const CertifyReport& report) {
   const MeshCertificate& c = report.certificate;
@@ -42,25 +65,8 @@ std::string verdicts(const CertifyReport& report) {
   out += line("faces", c.faces.nonconforming.empty()
                            ? fmt::format("conforming; {} on the boundary", grouped(c.faces.boundary.size()))
                            : fmt::format("{} do not conform", grouped(c.faces.nonconforming.size())));
-  if (!c.intersections) {
-    out += line("boundary", "has points that are not finite");
-  } else if (c.intersections->meeting.empty() && c.intersections->undecided.empty()) {
-    out += line("boundary", "does not meet itself");
-  } else {
-    out +=
-        line("boundary",
-             fmt::format("{}{} pairs of faces meet, {} cannot be told", c.intersections->is_complete ? "" : "at least ",
-                         grouped(c.intersections->meeting.size()), grouped(c.intersections->undecided.size())));
-  }
-  if (!c.covered_twice) {
-    out += line("covers", "cannot be counted");
-  } else {
-    out += line("covers", c.covered_twice->empty() && c.n_undecided_parts == 0
-                              ? "no point twice"
-                              : fmt::format("behind {} parts of the boundary points are covered more than once, for {} "
-                                            "it cannot be told",
-                                            c.covered_twice->size(), c.n_undecided_parts));
-  }
+  out += line("boundary", boundary_verdict(c));
+  out += line("covers", covers_verdict(c));
   out += line("volume", fmt::format("{:.9g}", c.cells_volume));
   const auto closure = c.closure();
   return out + line("closure", closure ? fmt::format("{:.1e}", *closure) : "none: the boundary does not close");

@@ -8,7 +8,7 @@ namespace nearwall::program {
 /// Exit codes of the program (docs/command-line.md).
 enum class ExitCode : int {
   Done = 0,
-  Fault = 1,        ///< `check`: faults found; `batch`: at least one case failed
+  Fault = 1,        ///< `check`: faults found; `certify`: not valid; `batch`: at least one case failed
   BadInput = 2,     ///< command line or case file
   BadSurface = 3,   ///< the input surface cannot be used
   PartMissing = 4,  ///< a part that was asked for is missing
