@@ -50,6 +50,7 @@ void look_at(const mesh::VolumeMesh& mesh, std::size_t cell, CellVerdicts& verdi
 }  // namespace
 
 CellVerdicts cell_verdicts(const mesh::VolumeMesh& mesh) {
+  mesh::require_nodes(mesh);
   std::vector<CellVerdicts> by_block((mesh.n_cells() + kCellsInBlock - 1) / kCellsInBlock);
   parallel_blocks(mesh.n_cells(), kCellsInBlock, [&](std::size_t begin, std::size_t end) {
     CellVerdicts verdicts;

@@ -21,16 +21,6 @@ constexpr std::array<CellFace, 6> kHexahedron{
 
 constexpr std::size_t kCellsInBlock = 4096;
 
-void require_nodes(const VolumeMesh& mesh) {
-  for (std::size_t c = 0; c < mesh.n_cells(); ++c) {
-    for (const std::uint32_t node : mesh.nodes_of(c)) {
-      if (node < mesh.points.size()) continue;
-      throw InputError("expected nodes 0 to " + std::to_string(mesh.points.size()) + " (exclusive), found node " +
-                       std::to_string(node) + " in cell " + std::to_string(mesh.file_cell[c]));
-    }
-  }
-}
-
 /// Calls `visit(smallest node, name)` for all faces, on all threads.
 template <class Visit>
 void for_each_face(const VolumeMesh& mesh, Visit&& visit) {
@@ -48,6 +38,16 @@ void for_each_face(const VolumeMesh& mesh, Visit&& visit) {
 }
 
 }  // namespace
+
+void require_nodes(const VolumeMesh& mesh) {
+  for (std::size_t c = 0; c < mesh.n_cells(); ++c) {
+    for (const std::uint32_t node : mesh.nodes_of(c)) {
+      if (node < mesh.points.size()) continue;
+      throw InputError("expected nodes 0 to " + std::to_string(mesh.points.size()) + " (exclusive), found node " +
+                       std::to_string(node) + " in cell " + std::to_string(mesh.file_cell[c]));
+    }
+  }
+}
 
 std::span<const CellFace> cell_faces(CellType type) {
   switch (type) {

@@ -31,7 +31,7 @@ struct CellVerdicts {
   std::vector<Offender> offenders;                           ///< in the order of the cells
 };
 
-/// Cost: O(n_cells), on all threads. What is not finite is not positive.
+/// What is not finite is not positive. \throws InputError  as mesh::require_nodes    Cost: O(n_cells), on all threads.
 CellVerdicts cell_verdicts(const mesh::VolumeMesh& mesh);
 
 /// What is wrong with a face that is neither between two cells nor on the boundary.
@@ -58,7 +58,7 @@ struct Conformity {
 };
 
 /// Nodes are told by their numbers: points that only coincide are different nodes. Memory: 8 bytes a face and a point
-/// beside the answer. Cost: O(n_cells), on all threads. \throws InputError as mesh::FaceIndex
+/// beside the answer. Cost: O(n_cells), on all threads. \throws InputError  as mesh::require_nodes
 Conformity conformity(const mesh::VolumeMesh& mesh);
 
 struct MeshCertificate {

@@ -53,11 +53,14 @@ struct FaceKey {
 
 FaceKey key_of(const FaceNodes& face);
 
+/// For meshes from outside. \throws InputError  naming the first cell that has a node which the mesh has not
+void require_nodes(const VolumeMesh& mesh);
+
 /// All faces of all cells by their smallest node. Memory: 8 bytes a face and a point.
 /// Cost: O(n_cells), on all threads; the same whatever their number.
 class FaceIndex {
  public:
-  /// \throws InputError  naming the first cell that has a node which the mesh has not
+  /// \throws InputError  as require_nodes
   explicit FaceIndex(const VolumeMesh& mesh);
 
   std::size_t n_nodes() const { return offset_.size() - 1; }
