@@ -1,9 +1,10 @@
 #include "tests/peers/child.h"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <fstream>
 
 namespace nearwall::peers {
 
@@ -16,14 +17,11 @@ void redirect(const std::string& file, int descriptor) {
   if (opened < 0 || dup2(opened, descriptor) < 0) _exit(kCannotRun);
 }
 
-double seconds(const timeval& time) {
-  constexpr double kMicro = 1e-6;
-  return double(time.tv_sec) + kMicro * double(time.tv_usec);
-}
-
 }  // namespace
 
 Run run_program(const std::filesystem::path& folder, std::vector<std::string> words, const std::string& output) {
+  const std::string result = output + ".run";
+  words.insert(words.begin(), {NEARWALL_PEERS_MEASURE, result});
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -32,15 +30,17 @@ Run run_program(const std::filesystem::path& folder, std::vector<std::string> wo
     if (chdir(folder.c_str()) != 0) _exit(kCannotRun);
     redirect(output, STDOUT_FILENO);
     redirect(output + ".err", STDERR_FILENO);
-    execvp(argv[0], argv.data());
+    execv(argv[0], argv.data());
     _exit(kCannotRun);
   }
   int status = 0;
-  rusage usage{};
-  if (process < 0 || wait4(process, &status, 0, &usage) != process) return {};
+  if (process < 0 || waitpid(process, &status, 0) != process) return {};
+  Run run;
+  std::uint64_t kilobytes = 0;
+  std::ifstream(folder / result) >> run.exit_code >> run.seconds >> kilobytes;
   constexpr std::uint64_t kKilobyte = 1024;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, seconds(usage.ru_utime) + seconds(usage.ru_stime),
-          kKilobyte * static_cast<std::uint64_t>(usage.ru_maxrss)};
+  run.peak_bytes = kKilobyte * kilobytes;
+  return run;
 }
 
 }  // namespace nearwall::peers

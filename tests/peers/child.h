@@ -9,7 +9,7 @@ namespace nearwall::peers {
 
 /// How a run of a program went.
 struct Run {
-  int exit_code = -1;  ///< 127: there is no such program; −1: a signal ended it
+  int exit_code = -1;  ///< 127: there is no such program; −1: a signal ended it, or it could not be waited for
   double seconds = 0;  ///< of processor time, of all its threads and of the processes that it waited for
   std::uint64_t peak_bytes = 0;
 };
