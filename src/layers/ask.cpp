@@ -18,6 +18,8 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stac
   field.schedule.resize(n, 0);
   field.asked.resize(n, 0.0);
   field.thickness.resize(n, 0.0);
+  field.max_level.resize(n, 0);
+  field.reached.resize(n, 0.0);
   field.reason.resize(n, LimitReason::None);
   parallel_for(n, [&](std::size_t i) {
     const VertexId v(i);
@@ -43,6 +45,7 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stac
     if (is_first) return;
     field.asked[v] = std::get<double>(least);
     field.thickness[v] = field.asked[v];
+    field.max_level[v] = stacks.n_levels(field.schedule[v]);
     if (n_without > 0) field.lower(v, 0, LimitReason::PatchEdge);
   });
   return field;

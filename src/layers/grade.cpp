@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <queue>
+#include <utility>
 
 #include "vertex_field.h"
 
@@ -20,26 +21,24 @@ struct Entry {
   }
 };
 
+void sort_and_unite(std::vector<VertexId>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
 }  // namespace
 
-std::vector<VertexId> grade(const Wall& wall, const Stacks& stacks, VertexField& field,
-                            const std::vector<VertexId>& seeds) {
+std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vector<VertexId>& seeds) {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<VertexId> lowered;
   const auto lower_neighbours = [&](VertexId v) {
     // Where no layer is asked for, nothing limits.
     if (!(field.asked[v] > 0)) return;
     const Vec3& p = wall.surface.points[v];
-    // A line that stays at the wall may neighbour any: the cells round it are pyramids with it as their apex.
-    const Level end = stacks.fit(field.schedule[v], field.thickness[v]).end;
     for (const HalfedgeId h : wall.topology.fan(v)) {
       const VertexId u = wall.topology.target(h);
       if (!(field.thickness[u] > field.thickness[v])) continue;
-      double limit = field.thickness[v] + kGradingSlope * distance(p, wall.surface.points[u]);
-      if (end > 0) {
-        const std::uint32_t patch = field.schedule[u];
-        limit = std::min(limit, stacks.thickness_of(patch, end + stacks.level_step(patch)));
-      }
+      const double limit = field.thickness[v] + kGradingSlope * distance(p, wall.surface.points[u]);
       if (!field.lower(u, limit, LimitReason::Neighbour)) continue;
       lowered.push_back(u);
       queue.push({field.thickness[u], u});
@@ -55,8 +54,40 @@ std::vector<VertexId> grade(const Wall& wall, const Stacks& stacks, VertexField&
     queue.pop();
     if (entry.thickness == field.thickness[entry.vertex]) lower_neighbours(entry.vertex);
   }
-  std::sort(lowered.begin(), lowered.end());
-  lowered.erase(std::unique(lowered.begin(), lowered.end()), lowered.end());
+  sort_and_unite(lowered);
+  return lowered;
+}
+
+std::vector<VertexId> step_levels(const Wall& wall, const Stacks& stacks, VertexField& field,
+                                  const std::vector<VertexId>& seeds) {
+  if (!stacks.has_level_steps()) return {};
+  const auto end_of = [&](VertexId v) {
+    return stacks.fit(field.schedule[v], field.thickness[v], field.max_level[v]).end;
+  };
+  using LevelEntry = std::pair<Level, VertexId>;
+  std::priority_queue<LevelEntry, std::vector<LevelEntry>, std::greater<>> queue;
+  const auto push = [&](VertexId v) {
+    if (const Level end = end_of(v); end > 0) queue.push({end, v});
+  };
+  if (seeds.empty()) {
+    for (const VertexId v : field.thickness.ids()) push(v);
+  } else {
+    for (const VertexId v : seeds) push(v);
+  }
+  std::vector<VertexId> lowered;
+  while (!queue.empty()) {
+    const auto [end, v] = queue.top();
+    queue.pop();
+    for (const HalfedgeId h : wall.topology.fan(v)) {
+      const VertexId u = wall.topology.target(h);
+      const int allowed = end + stacks.level_step(field.schedule[u]);
+      if (end_of(u) <= allowed) continue;
+      field.max_level[u] = static_cast<Level>(allowed);
+      lowered.push_back(u);
+      push(u);
+    }
+  }
+  sort_and_unite(lowered);
   return lowered;
 }
 

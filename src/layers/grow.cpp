@@ -118,7 +118,8 @@ class Settling {
 
   void lower(const std::vector<VertexId>& failed) {
     expect(!failed.empty(), "a failed certificate to name a line that can still be lowered");
-    const auto changed = merged(failed, grade(wall_, stacks_, field_, failed));
+    const auto thinner = merged(failed, grade(wall_, field_, failed));
+    const auto changed = merged(thinner, step_levels(wall_, stacks_, field_, thinner));
     update_lines(plan_, stacks_, changed, resolution_, field_, growth_.lines);
     mark_changed(changed);
   }
@@ -177,7 +178,7 @@ void record(const VertexField& field, Growth& growth) {
   for (const LineId line : growth.front.line_vertex.ids()) {
     const VertexId v = growth.front.line_vertex[line];
     growth.asked_thickness[line] = field.asked[v];
-    growth.reached_thickness[line] = field.thickness[v];
+    growth.reached_thickness[line] = field.reached[v];
     growth.reason[line] = field.reason[v];
   }
 }
@@ -205,12 +206,13 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   progress.begin_stage("limits");
   limit_by_gaps(wall, plan, field);
   progress.update(0.5);
-  grade(wall, stacks, field, {});
+  grade(wall, field, {});
   const auto curved = limit_by_curvature(wall, plan, field);
-  if (!curved.empty()) grade(wall, stacks, field, curved);
+  if (!curved.empty()) grade(wall, field, curved);
   progress.end_stage();
 
   progress.begin_stage("layers");
+  step_levels(wall, stacks, field, {});
   growth.lines = make_lines(wall, plan, stacks, field);
   Settling(wall, plan, stacks, options.patient_rounds, field, growth).run(progress);
   growth.front = std::move(plan.front);

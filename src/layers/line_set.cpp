@@ -12,20 +12,23 @@ namespace {
 /// Heights below so many units in the last place of the largest coordinate would be more rounding than height.
 constexpr double kResolvableUlps = 1e3;
 
+mesh::LimitReason reason_or(mesh::LimitReason known, mesh::LimitReason otherwise) {
+  return known == mesh::LimitReason::None ? otherwise : known;
+}
+
 void update_vertex(const LinePlan& plan, const Stacks& stacks, VertexId v, double finest, VertexField& field,
                    mesh::Lines& lines) {
   const mesh::Front& front = plan.front;
-  Stack stack = stacks.fit(field.schedule[v], field.thickness[v]);
+  Stack stack = stacks.fit(field.schedule[v], field.thickness[v], field.max_level[v]);
   if (stack.end > 0) {
     const mesh::Heights& h = stack.heights;
     const double first = (h.weight_0 + h.weight_1) * lines.table.row(h.row)[1];
     // A line that starts late needs a level to go to.
     if (!(first >= finest) || stack.end <= plan.start[v]) stack = {};
   }
-  if (stack.thickness < field.thickness[v]) {
-    const mesh::LimitReason why = field.reason[v];
-    field.lower(v, stack.thickness, why == mesh::LimitReason::None ? mesh::LimitReason::Quality : why);
-  }
+  if (stack.end == 0) field.lower(v, 0, reason_or(field.reason[v], mesh::LimitReason::Quality));
+  field.reached[v] = stack.thickness;
+  if (stack.thickness < field.asked[v]) field.reason[v] = reason_or(field.reason[v], mesh::LimitReason::Neighbour);
   for (std::uint32_t i = front.first_line[v.index()]; i < front.first_line[v.index() + 1]; ++i) {
     const LineId line(i);
     lines.heights[line] = stack.heights;

@@ -33,7 +33,7 @@ std::vector<VertexId> Shrinker::lower_marked(LimitReason why) {
   std::sort(marked_.begin(), marked_.end());
   for (const VertexId v : marked_) {
     const bool is_blocked = ++strikes_[v.index()] > patience_;
-    field_.lower(v, is_blocked ? 0.0 : factor_[v.index()] * field_.thickness[v], why);
+    field_.lower(v, is_blocked ? 0.0 : factor_[v.index()] * field_.reached[v], why);
     factor_[v.index()] = 1.0;
   }
   return std::exchange(marked_, {});

@@ -1,7 +1,6 @@
 #include "stacks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace nearwall::layers {
@@ -11,6 +10,8 @@ namespace {
 /// "auto" and "compress": layers are thinned as long as no height falls below this share of the first one asked.
 constexpr double kLeastScale = 0.01;
 
+constexpr int kAnyStep = std::numeric_limits<Level>::max();
+
 std::vector<std::vector<double>> heights_of(const IdVector<PatchId, PatchSchedule>& schedules) {
   std::vector<std::vector<double>> heights;
   for (const PatchSchedule& s : schedules) heights.push_back(s.has_layers ? s.heights : std::vector<double>());
@@ -19,44 +20,41 @@ std::vector<std::vector<double>> heights_of(const IdVector<PatchId, PatchSchedul
 
 }  // namespace
 
-Stacks::Stacks(const IdVector<PatchId, PatchSchedule>& schedules) : rows_(heights_of(schedules)) {
+Stacks::Stacks(const IdVector<PatchId, PatchSchedule>& schedules)
+    : rows_(heights_of(schedules)), table_(rows_.table()) {
   for (const PatchSchedule& s : schedules) {
-    Rule rule;
-    rule.is_stair = s.on_conflict == OnConflict::Stair;
-    rule.least_scale = kLeastScale;
-    rule.level_step = s.max_level_step.value_or(std::numeric_limits<Level>::max());
-    rule.distances.push_back(0);
-    if (s.has_layers) {
-      for (const double h : s.heights) rule.distances.push_back(rule.distances.back() + h);
-    }
-    rules_.push_back(std::move(rule));
+    rules_.push_back({s.on_conflict == OnConflict::Stair, s.max_level_step.value_or(kAnyStep)});
   }
 }
 
-Stack Stacks::fit(std::uint32_t patch, double limit) const {
+bool Stacks::has_level_steps() const {
+  return std::any_of(rules_.begin(), rules_.end(), [](const Rule& r) { return r.level_step < kAnyStep; });
+}
+
+double Stacks::distance(const mesh::Heights& h, Level level) const {
+  return h.weight_1 == 0 ? h.weight_0 * table_.row(h.row)[level]
+                         : h.weight_0 * table_.row(h.row)[level] + h.weight_1 * table_.row(h.row + 1)[level];
+}
+
+Stack Stacks::fit(std::uint32_t patch, double limit, Level max_level) const {
   const ScheduleRows& rows = rows_.schedule(patch);
-  const Rule& rule = rules_[patch];
-  const auto asked = static_cast<std::uint32_t>(rows.first);
   if (!(limit > 0) || rows.n_levels == 0) return {};
-  if (limit >= rows.asked_thickness()) return {{asked, 1.0, 0.0}, rows.n_levels, rows.asked_thickness()};
-  if (rule.is_stair) {
-    const auto above = std::upper_bound(rule.distances.begin(), rule.distances.end(), limit);
-    const auto end = static_cast<Level>(above - rule.distances.begin() - 1);
-    return {{asked, 1.0, 0.0}, end, rule.distances[end]};
+  const double asked = rows.asked_thickness(), thinnest = kLeastScale * rows.thickness.back();
+  const bool is_stair = rules_[patch].is_stair;
+  Stack stack;
+  stack.heights = rows.fit(is_stair ? asked : std::max(limit, thinnest));
+  stack.end = rows.n_levels;
+  if (limit < (is_stair ? asked : thinnest)) {
+    while (stack.end > 0 && distance(stack.heights, stack.end) > limit) --stack.end;
   }
-  const double thinnest = rule.least_scale * rows.thickness.back();
-  if (limit >= thinnest) return {rows.fit(limit), rows.n_levels, limit};
-  const double height = thinnest / rows.n_levels;
-  const auto end = static_cast<Level>(std::floor(limit / height));
-  return {rows.fit(thinnest), end, height * end};
-}
-
-double Stacks::thickness_of(std::uint32_t patch, int levels) const {
-  const ScheduleRows& rows = rows_.schedule(patch);
-  if (levels >= rows.n_levels) return rows.asked_thickness();
-  const Rule& rule = rules_[patch];
-  if (rule.is_stair) return rule.distances[static_cast<std::size_t>(levels)];
-  return rule.least_scale * rows.thickness.back() * (double(levels) / rows.n_levels);
+  if (stack.end <= max_level) {
+    // Of a whole stack that was fitted, the limit itself: blending two rows would give it to rounding only.
+    stack.thickness = stack.end == rows.n_levels ? std::min(limit, asked) : distance(stack.heights, stack.end);
+  } else {
+    stack.end = max_level;
+    stack.thickness = distance(stack.heights, stack.end);
+  }
+  return stack;
 }
 
 }  // namespace nearwall::layers

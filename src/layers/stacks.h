@@ -22,25 +22,27 @@ class Stacks {
 
   Level n_levels(std::uint32_t patch) const { return rows_.schedule(patch).n_levels; }
   double asked_thickness(std::uint32_t patch) const { return rows_.schedule(patch).asked_thickness(); }
-  mesh::HeightTable table() const { return rows_.table(); }
+  const mesh::HeightTable& table() const { return table_; }
 
-  Stack fit(std::uint32_t patch, double limit) const;
-
-  /// Thickness of the stack that `fit` ends at that level, at most; the asked one from the last level on.
-  double thickness_of(std::uint32_t patch, int levels) const;
+  /// \param limit      thickness allowed
+  /// \param max_level  last level allowed; heights do not depend on it
+  Stack fit(std::uint32_t patch, double limit, Level max_level) const;
 
   /// Levels by which a line may rise above a neighbour that moves.
   int level_step(std::uint32_t patch) const { return rules_[patch].level_step; }
+  /// Whether any patch bounds that.
+  bool has_level_steps() const;
 
  private:
   struct Rule {
-    bool is_stair = false;   ///< heights stay as asked, layers go
-    double least_scale = 0;  ///< otherwise: no height falls below this share of the first one asked, layers go instead
+    bool is_stair = false;  ///< heights stay as asked, layers go
     int level_step = 0;
-    std::vector<double> distances;  ///< of the levels as asked, from the wall
   };
 
+  double distance(const mesh::Heights& heights, Level level) const;
+
   HeightRows rows_;
+  mesh::HeightTable table_;
   std::vector<Rule> rules_;
 };
 

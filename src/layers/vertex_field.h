@@ -14,6 +14,8 @@ struct VertexField {
   IdVector<VertexId, std::uint32_t> schedule;    ///< patch whose stack it has
   IdVector<VertexId, double> asked;              ///< thickness asked for; 0 where there is no layer to be
   IdVector<VertexId, double> thickness;          ///< allowed now, <= asked; 0: blocked
+  IdVector<VertexId, Level> max_level;           ///< last level allowed now
+  IdVector<VertexId, double> reached;            ///< thickness of the stack that is laid
   IdVector<VertexId, mesh::LimitReason> reason;  ///< of the last limit that bit
 
   /// Lowers the thickness to `limit` if that is less; true if it was.
@@ -44,11 +46,16 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan,
 /// Keeps each line below its share of the way to the next wall, by rays.
 void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field);
 
-/// Lowers neighbours so that thickness changes along the surface at a bounded rate, and ends of stairs by a bounded
-/// number of levels.
+/// Lowers neighbours so that thickness changes along the surface at a bounded rate.
 /// \param seeds  vertices whose thickness may be too low for their neighbours; empty: all
 /// \returns      vertices that were lowered
-std::vector<VertexId> grade(const Wall& wall, const Stacks& stacks, VertexField& field,
-                            const std::vector<VertexId>& seeds);
+std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vector<VertexId>& seeds);
+
+/// Lowers the last levels of neighbours so that no line that moves ends above another by more than the step of its
+/// patch. A line that stays at the wall may neighbour any: the cells round it are pyramids with it as their apex.
+/// \param seeds  vertices that may end too low for their neighbours; empty: all
+/// \returns      vertices whose last level was lowered, in increasing order
+std::vector<VertexId> step_levels(const Wall& wall, const Stacks& stacks, VertexField& field,
+                                  const std::vector<VertexId>& seeds);
 
 }  // namespace nearwall::layers

@@ -89,7 +89,7 @@ TEST(Grade, BoundsTheSlopeOfTheThicknessEverywhere) {
   const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
   Asked a(sphere, 0.8);
   a.field.lower(VertexId(7), 0.01, mesh::LimitReason::Gap);
-  const auto lowered = grade(a.wall.wall(), a.stacks, a.field, {VertexId(7)});
+  const auto lowered = grade(a.wall.wall(), a.field, {VertexId(7)});
   EXPECT_FALSE(lowered.empty());
   for (const FaceId f : sphere.faces.ids()) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -20,6 +20,8 @@ IdVector<PatchId, PatchSchedule> schedules(OnConflict on_conflict, std::optional
   return IdVector<PatchId, PatchSchedule>(1, schedule);
 }
 
+Stack fit(const Stacks& stacks, double limit) { return stacks.fit(kPatch, limit, kCount); }
+
 /// Distance of a level of a stack from the wall.
 double distance_of(const Stacks& stacks, const Stack& stack, Level level) {
   const mesh::HeightTable table = stacks.table();
@@ -31,10 +33,10 @@ double distance_of(const Stacks& stacks, const Stack& stack, Level level) {
 TEST(Stacks, GivesAllThatIsAskedWhereThereIsRoom) {
   for (const auto on_conflict : {OnConflict::Auto, OnConflict::Compress, OnConflict::Stair}) {
     const Stacks stacks(schedules(on_conflict));
-    const Stack stack = stacks.fit(kPatch, 2.0);
+    const Stack stack = fit(stacks, 2.0);
     EXPECT_EQ(stack.end, kCount);
     EXPECT_DOUBLE_EQ(stack.thickness, 1.0);
-    EXPECT_EQ(stacks.fit(kPatch, 0).end, 0);
+    EXPECT_EQ(fit(stacks, 0).end, 0);
   }
 }
 
@@ -42,7 +44,7 @@ TEST(Stacks, IsNeverThickerThanAllowed) {
   for (const auto on_conflict : {OnConflict::Compress, OnConflict::Stair}) {
     const Stacks stacks(schedules(on_conflict));
     for (double limit = 1.1; limit > 1e-6; limit *= 0.97) {
-      const Stack stack = stacks.fit(kPatch, limit);
+      const Stack stack = fit(stacks, limit);
       EXPECT_LE(stack.thickness, limit);
       if (stack.end == 0) continue;
       EXPECT_NEAR(distance_of(stacks, stack, stack.end), stack.thickness, 1e-12 * limit);
@@ -56,10 +58,9 @@ TEST(Stacks, LeavesOutLayersOfStairsOnly) {
   double thickness = 0;
   for (Level levels = 1; levels <= kCount; ++levels) {
     thickness += asked[levels - std::size_t{1}];
-    EXPECT_EQ(stacks.fit(kPatch, thickness * (1 + 1e-12)).end, levels);
-    EXPECT_EQ(stacks.fit(kPatch, thickness * (1 - 1e-12)).end, levels - 1);
-    EXPECT_NEAR(stacks.thickness_of(kPatch, levels), thickness, 1e-12);
-    EXPECT_NEAR(distance_of(stacks, stacks.fit(kPatch, thickness * (1 + 1e-12)), 1), asked[0], 1e-15);
+    EXPECT_EQ(fit(stacks, thickness * (1 + 1e-12)).end, levels);
+    EXPECT_EQ(fit(stacks, thickness * (1 - 1e-12)).end, levels - 1);
+    EXPECT_NEAR(distance_of(stacks, fit(stacks, thickness * (1 + 1e-12)), 1), asked[0], 1e-15);
   }
 }
 
@@ -67,21 +68,37 @@ TEST(Stacks, KeepsTheFirstHeightThenItsHundredthThenDropsLayers) {
   const double first = growing_for_tests::geometric(1.0, 1.2, kCount).front();
   const Stacks stacks(schedules(OnConflict::Compress));
   const auto first_height = [&](const Stack& stack) { return distance_of(stacks, stack, 1); };
-  const Stack uniform = stacks.fit(kPatch, kCount * first);
+  const Stack uniform = fit(stacks, kCount * first);
   EXPECT_EQ(uniform.end, kCount);
   EXPECT_NEAR(first_height(uniform), first, 1e-12);
-  const Stack thinnest = stacks.fit(kPatch, 0.01 * kCount * first * (1 + 1e-12));
+  const Stack thinnest = fit(stacks, 0.01 * kCount * first * (1 + 1e-12));
   EXPECT_EQ(thinnest.end, kCount);
   EXPECT_NEAR(first_height(thinnest), 0.01 * first, 1e-12);
-  const Stack half = stacks.fit(kPatch, 0.01 * kCount * first / 2 * (1 + 1e-12));
+  const Stack half = fit(stacks, 0.01 * kCount * first / 2 * (1 + 1e-12));
   EXPECT_EQ(half.end, kCount / 2);
   EXPECT_NEAR(first_height(half), 0.01 * first, 1e-12);
-  EXPECT_EQ(stacks.fit(kPatch, 0.005 * first).end, 0) << "not even one layer";
+  EXPECT_EQ(fit(stacks, 0.005 * first).end, 0) << "not even one layer";
 }
 
-TEST(Stacks, KnowsTheStepOfAPatch) {
-  EXPECT_EQ(Stacks(schedules(OnConflict::Stair, 3)).level_step(kPatch), 3);
-  EXPECT_GE(Stacks(schedules(OnConflict::Stair)).level_step(kPatch), kCount);
+TEST(Stacks, FitsWhatItFittedOnceMore) {
+  for (const auto on_conflict : {OnConflict::Compress, OnConflict::Stair}) {
+    const Stacks stacks(schedules(on_conflict));
+    for (double limit = 1.1; limit > 1e-5; limit *= 0.993) {
+      const Stack once = fit(stacks, limit), twice = fit(stacks, once.thickness);
+      EXPECT_EQ(once.end, twice.end);
+      EXPECT_NEAR(once.thickness, twice.thickness, 1e-12 * limit);
+    }
+  }
+}
+
+TEST(Stacks, CutsOffAtALevelWithoutAnotherHeight) {
+  for (const auto on_conflict : {OnConflict::Compress, OnConflict::Stair}) {
+    const Stacks stacks(schedules(on_conflict));
+    const Stack whole = fit(stacks, 0.7), cut = stacks.fit(kPatch, 0.7, 3);
+    EXPECT_EQ(cut.end, 3);
+    for (Level j = 1; j <= 3; ++j) EXPECT_EQ(distance_of(stacks, cut, j), distance_of(stacks, whole, j));
+    EXPECT_EQ(cut.thickness, distance_of(stacks, cut, 3));
+  }
 }
 
 }  // namespace
