@@ -36,12 +36,14 @@ double sum_of_cells(const mesh::LayerMesh& layers) {
 /// Volume within triangles, as the sum of the cones over them about a centre.
 struct Cones {
   geometry::CompensatedSum six_volumes;
-  geometry::CompensatedSum sizes;  ///< of the same terms: what their rounding is in proportion to
+  /// Of base times slant: what the rounding of the terms is in proportion to, in a flat body, too, whose cones have no
+  /// height.
+  geometry::CompensatedSum sizes;
 
   void add(const std::array<Vec3, 3>& t, const Vec3& centre) {
-    const double six_volume = dot(cross(t[0] - centre, t[1] - centre), t[2] - centre);
-    six_volumes.add(six_volume);
-    sizes.add(std::abs(six_volume));
+    const Vec3 base = cross(t[1] - t[0], t[2] - t[0]), slant = t[0] - centre;
+    six_volumes.add(dot(base, slant));
+    sizes.add(norm(base) * norm(slant));
   }
 };
 

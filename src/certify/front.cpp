@@ -139,15 +139,20 @@ std::vector<ComponentId> covered_twice(const mesh::Front& front, const FrontSurf
     if (members[c].empty()) continue;
     const Vec3 point = surface.points[surface.triangles[members[c].front()][0]];
     // Only components whose boxes hold the point can wind about it.
-    std::fill(counts.begin(), counts.end(), 0);
-    bool any = false;
-    for (std::size_t other = 0; other < members.size(); ++other) {
-      if (other == c || !boxes[other].contains(point)) continue;
-      for (const std::uint32_t t : members[other]) counts[t] = 1;
-      any = true;
-    }
+    const auto mark_around = [&](char value) {
+      bool any = false;
+      for (std::size_t other = 0; other < members.size(); ++other) {
+        if (other == c || !boxes[other].contains(point)) continue;
+        for (const std::uint32_t t : members[other]) counts[t] = value;
+        any = true;
+      }
+      return any;
+    };
     int covered = fluid_is_inside ? 1 : 0;
-    if (any) covered += search::winding_number({surface.points, surface.triangles}, point, counts);
+    if (mark_around(1)) {
+      covered += search::winding_number({surface.points, surface.triangles}, point, counts);
+      mark_around(0);
+    }
     const auto triangle = [&](std::size_t i) {
       const auto [p, q, r] = surface.triangles[members[c][i]];
       return predicates::Triangle{surface.points[p], surface.points[q], surface.points[r]};

@@ -9,8 +9,8 @@ namespace nearwall::layers {
 
 namespace {
 
-/// Loops longer than this are filled from a centre line only: the search is cubic.
-constexpr std::size_t kLongestSearched = 128;
+/// Longer loops are not filled: the search is cubic, and no real corner has so many ridges.
+constexpr std::size_t kLongestLoop = 256;
 
 /// Determinants and lengths that differ by no more than this count as equal: rounding must not choose between fillings
 /// that symmetry makes alike.
@@ -127,10 +127,9 @@ CornerFilling fill_from_centre(std::span<const Vec3> loop, double& worst) {
 }  // namespace
 
 CornerFilling fill_corner(std::span<const Vec3> loop) {
-  if (loop.size() <= kLongestSearched && !is_simple(loop)) return {};
+  if (loop.size() > kLongestLoop || !is_simple(loop)) return {};
   double with_centre = 0;
   CornerFilling filling = fill_from_centre(loop, with_centre);
-  if (loop.size() > kLongestSearched) return filling;
   const Search search(loop);
   if (!(search.worst() > 0) || search.worst() < with_centre - kAlike) return filling;
   filling = {};

@@ -23,8 +23,8 @@ struct CornerFilling {
 /// first layer are positive. Of all triangulations of the loop, and of the one that joins each of its sides to the most
 /// visible direction in the middle, the one whose smallest determinant is largest; of those that are alike the one
 /// with the shortest diagonals.
-/// None exists where the loop cannot be filled.
-/// \param loop  (n >= 3) unit vectors, counterclockwise seen from the fluid.    Cost: O(n³), for n above 128 O(n).
+/// None exists where the loop cannot be filled or has more than 256 lines.
+/// \param loop  (n >= 3) unit vectors, counterclockwise seen from the fluid.    Cost: O(n³).
 /// Source: docs/theory/fans.md.
 CornerFilling fill_corner(std::span<const Vec3> loop);
 

@@ -7,7 +7,8 @@
 
 namespace nearwall::layers {
 
-/// Ridges that get several lines, with two layers or more on both sides: (3 n_faces).
+/// Edges of ridges that get several lines, with two layers or more on both sides: (3 n_faces), the same for both
+/// halfedges. No edge is one whose ends both have one group, or ends where there is one layer only.
 IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options);
 
 /// The wall cut open along the ridges that get several lines: each group of faces round a vertex has a copy of that

@@ -10,12 +10,16 @@
 #include "nearwall/certify/certificate.h"
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
+#include "nearwall/geometry/angles.h"
 #include "shrink.h"
 #include "vertex_field.h"
 
 namespace nearwall::layers {
 
 namespace {
+
+/// Smallest angle between the lines of a fan that may be asked for: fans of a few hundred lines help nobody.
+constexpr double kLeastMaxTurn = geometry::to_radians(1);
 
 std::vector<VertexId> merged(std::vector<VertexId> a, const std::vector<VertexId>& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -154,7 +158,18 @@ class Settling {
   std::vector<char> front_changed_;  // (n_front_faces) since the front was last looked at
 };
 
-void check_schedules(const Wall& wall, const GrowOptions& options) {
+void check_options(const Wall& wall, const GrowOptions& options) {
+  if (!(options.multi_angle > 0 && options.multi_angle < geometry::kPi)) {
+    throw InputError(fmt::format("multi_angle: expected an angle between 0 and 180 degrees, found {}",
+                                 geometry::to_degrees(options.multi_angle)));
+  }
+  if (!(options.max_turn >= kLeastMaxTurn && options.max_turn <= geometry::kPi / 2)) {
+    throw InputError(fmt::format("max_turn: expected an angle from 1 to 90 degrees, found {}",
+                                 geometry::to_degrees(options.max_turn)));
+  }
+  if (options.patient_rounds < 0) {
+    throw InputError(fmt::format("patient_rounds: expected 0 or more, found {}", options.patient_rounds));
+  }
   if (options.schedules.size() != wall.surface.patch_names.size()) {
     throw InputError(fmt::format("{} schedules for {} patches: give one for each", options.schedules.size(),
                                  wall.surface.patch_names.size()));
@@ -194,7 +209,7 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
 }
 
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress) {
-  check_schedules(wall, options);
+  check_options(wall, options);
   const Stacks stacks(options.schedules);
   VertexField field = ask(wall, options, stacks);
   Growth growth;

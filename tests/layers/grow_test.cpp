@@ -146,6 +146,36 @@ TEST(Grow, EndsAtOnceWithoutPatience) {
   EXPECT_TRUE(certify::certify_layers(mesh::LayerMesh(growth.front, growth.lines), wall.certified_wall()).is_valid());
 }
 
+TEST(Grow, ClosesUpToRoundingOnAFlatTiltedBody) {
+  // A hundred millionth as thick as it is wide: the cones over its faces about its centre have next to no height.
+  const Vec3 a(-0.16474081235394661, 0.29221463537269871, 0.94205683035524068);
+  const Vec3 b(-1.0644317871089533, 0.63914409393967131, 0.67711136290426943);
+  const Vec3 c(-0.89969098283997051, 0.34692944074282539, -0.26494546333598251);
+  const auto surface =
+      shapes_for_tests::make_surface({{0, 0, 0}, a, b, c}, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}});
+  const TestWall wall(surface);
+  const Growth growth = grow(wall.wall(), options_for(surface, geometric(3e-10, 1, 3)));
+  const auto certificate = certify::certify_layers(mesh::LayerMesh(growth.front, growth.lines), wall.certified_wall());
+  EXPECT_TRUE(certificate.is_valid());
+  EXPECT_LT(certificate.closure(), 1e-12);
+}
+
+TEST(Grow, RefusesAnglesThatAreNone) {
+  const mesh::SurfaceMesh cube = shapes_for_tests::cube();
+  const TestWall wall(cube);
+  GrowOptions options = options_for(cube, {0.1});
+  for (const double turn : {-1.0, 0.0, 1.6, std::nan("")}) {
+    options.max_turn = turn;
+    EXPECT_THROW(grow(wall.wall(), options), InputError) << turn;
+  }
+  options = options_for(cube, {0.1});
+  options.multi_angle = std::nan("");
+  EXPECT_THROW(grow(wall.wall(), options), InputError);
+  options = options_for(cube, {0.1});
+  options.schedules[PatchId(0)].max_level_step = 0;
+  EXPECT_THROW(grow(wall.wall(), options), InputError);
+}
+
 TEST(Grow, RefusesSchedulesThatAreNone) {
   const mesh::SurfaceMesh cube = shapes_for_tests::cube();
   const TestWall wall(cube);

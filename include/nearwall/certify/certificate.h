@@ -64,7 +64,8 @@ struct Certificate {
   double cells_volume = 0;                  ///< sum of the volumes of all cells
   double enclosed_volume = 0;               ///< between wall and front, from their triangles alone
   double front_volume = 0;                  ///< inside the front (outside it, for an internal flow), absolute
-  double summed_volume = 0;                 ///< of the cones whose sum is the volume inside front or wall, the larger
+  /// Base times slant over 3 of the cones whose sum is the volume inside front or wall, the larger: their rounding.
+  double summed_volume = 0;
 
   bool is_valid() const { return n_bad_columns == 0 && n_front_intersections == 0 && n_covered_twice == 0; }
   /// | cells − enclosed | relative to the volume that was summed up, which for a thin gap between two walls is far

@@ -33,7 +33,7 @@ struct GrowOptions {
   std::optional<int> smoothing_iterations;  ///< nullopt: follows thickness / edge length
   bool several_lines = true;                ///< at convex ridges and corners that need them; false: one for each vertex
   double multi_angle = 1.745329251994329577;  ///< turn of a convex ridge from which it gets several lines [rad]
-  double max_turn = 0.785398163397448310;     ///< largest angle between two neighbouring lines of a fan [rad]
+  double max_turn = 0.785398163397448310;     ///< largest angle between two lines of a fan, 1 to 90 degrees [rad]
   /// Rounds of certify and shrink after which what fails is blocked at once, and after twice as many the whole
   /// component that it lies on: so the number of rounds is bounded on any surface. Seen on real surfaces: 0 to 41.
   int patient_rounds = 100;
@@ -67,7 +67,8 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall);
 /// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what
 /// fails is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md. Memory:
 /// O(n_vertices + n_faces), whatever the number of layers.
-/// \throws InputError unless each patch has a schedule, and those with layers 1 to 65534 heights above zero
+/// \throws InputError unless each patch has a schedule, and those with layers 1 to 65534 heights above zero; if an
+///         angle, a step or a number of rounds is out of range
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress = silent_progress());
 
 }  // namespace nearwall::layers
