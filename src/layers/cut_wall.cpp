@@ -1,6 +1,7 @@
 #include "cut_wall.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nearwall::layers {
 
@@ -85,6 +86,24 @@ IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& option
   }
   shorten(wall, options, is_cut);
   return is_cut;
+}
+
+std::size_t forecast_fan_faces(const Wall& wall, const GrowOptions& options) {
+  const auto is_cut = find_cuts(wall, options);
+  double faces = 0;
+  for (const VertexId v : wall.surface.points.ids()) {
+    double parts = 0;
+    int n_cuts = 0;
+    for (const HalfedgeId h : wall.topology.fan(v)) {
+      if (!is_cut[h]) continue;
+      ++n_cuts;
+      // One more than the edge itself asks for: its ridge may turn more elsewhere.
+      parts += std::ceil(wall.features.turn[h] / options.max_turn) + 1;
+    }
+    // Quads over edges, each seen from both ends, and the filling of corners.
+    faces += 0.5 * parts + (n_cuts > 2 ? parts : 0.0);
+  }
+  return static_cast<std::size_t>(faces);
 }
 
 CutWall::Cut::Cut(const Wall& wall, const IdVector<HalfedgeId, char>& is_cut, surface::CornerGroups corner_groups)

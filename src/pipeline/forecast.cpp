@@ -41,7 +41,7 @@ std::string grouped(std::uint64_t n) {
 }  // namespace
 
 Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
-                  const IdVector<FaceId, char>& is_wetted) {
+                  const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces) {
   Forecast f;
   f.box = geometry::bounding_box(wall.points.raw());
   IdVector<VertexId, Level> levels(wall.points.size(), 0);
@@ -55,6 +55,9 @@ Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings
   }
   f.n_points = wall.points.size();
   for (const Level level : levels) f.n_points += level;
+  // A line and a column for each virtual face, and a cap with its apex.
+  f.n_cells += n_fan_faces * (f.largest_count + std::uint64_t{1});
+  f.n_points += n_fan_faces * (f.largest_count + std::uint64_t{1});
 
   const auto triangles = static_cast<double>(wall.faces.size());
   const auto cells = static_cast<double>(f.n_cells), points = static_cast<double>(f.n_points);

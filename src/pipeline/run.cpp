@@ -101,6 +101,11 @@ layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSe
   return options;
 }
 
+layers::Wall wall_of(const Case& settings, const Prepared& prepared) {
+  return {prepared.surface(), prepared.topology, prepared.features, prepared.is_wetted,
+          settings.surface.fluid == surface::FluidSide::Inside};
+}
+
 certify::Certificate certify_or_fail(const mesh::LayerMesh& layer_mesh, const layers::Wall& wall,
                                      ProgressSink& progress) {
   const certify::CertifiedWall certified{wall.surface, layers::wetted_components(wall), wall.fluid_is_inside};
@@ -151,8 +156,7 @@ void write_reports(const std::vector<Picture>& pictures, OutputDirectory& output
 /// Layers, certificate, figures and files of a wall that was admitted.
 void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector<PatchSettings>& patches,
                OutputDirectory& output, StageClock& clock, Report& report) {
-  const layers::Wall wall{prepared.surface(), prepared.topology, prepared.features, prepared.is_wetted,
-                          settings.surface.fluid == surface::FluidSide::Inside};
+  const layers::Wall wall = wall_of(settings, prepared);
   const layers::Growth growth = layers::grow(wall, grow_options(settings, patches), clock);
   const mesh::LayerMesh layers(growth.front, growth.lines);
   report.certificate = certify_or_fail(layers, wall, clock);
@@ -198,7 +202,8 @@ Report run(const Case& settings, const RunOptions& options, ProgressSink* progre
                            report.surface.unwetted_components, report.surface.components));
   }
   const auto patches = resolve_patches(settings, prepared.surface().patch_names.raw());
-  report.forecast = forecast(prepared.surface(), patches, prepared.is_wetted);
+  report.forecast = forecast(prepared.surface(), patches, prepared.is_wetted,
+                             layers::forecast_fan_faces(wall_of(settings, prepared), grow_options(settings, patches)));
   check_thickness(settings, patches, report.forecast.box.diagonal());
   clock.note(describe(report.forecast));
 

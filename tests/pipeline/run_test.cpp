@@ -106,6 +106,14 @@ TEST(Run, DryRunForecastsAndWritesNothing) {
   EXPECT_EQ(Json::parse(to_json(report))["dry_run"], true);
 }
 
+TEST(Run, ForecastsTheCellsOfFans) {
+  const CubeCase cube("[normals]\nmulti_angle = 80\n");
+  const Report report = run(read_case(cube.file));
+  EXPECT_GT(report.n_cells(), 10 * shapes_for_tests::cube().faces.size());
+  EXPECT_LE(report.n_cells(), report.forecast.n_cells);
+  EXPECT_LE(report.points, report.forecast.n_points);
+}
+
 TEST(Run, FlagsCoverageUnderTheMinimum) {
   const CubeCase cube("[patches.\"*\"]\nmin_coverage = 100\n");
   EXPECT_FALSE(run(read_case(cube.file)).is_short_of_coverage());

@@ -64,6 +64,9 @@ struct Wall {
 /// Component of each face; invalid where the fluid does not reach.
 IdVector<FaceId, ComponentId> wetted_components(const Wall& wall);
 
+/// Virtual faces that fans will have at most, nearly always: for forecasts. Cost: a part of that of normals.
+std::size_t forecast_fan_faces(const Wall& wall, const GrowOptions& options);
+
 /// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what
 /// fails is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md. Memory:
 /// O(n_vertices + n_faces), whatever the number of layers.

@@ -10,8 +10,8 @@
 
 namespace nearwall {
 
-/// What a run will make and need, known from the surface and the schedules alone. Upper bounds: layers that are blocked
-/// make it less.
+/// What a run will make and need, known from the surface and the schedules alone. Upper bounds but for odd corners:
+/// layers that are blocked make it less.
 struct Forecast {
   std::uint64_t n_points = 0;
   std::uint64_t n_cells = 0;
@@ -21,10 +21,11 @@ struct Forecast {
   Level largest_count = 0;         ///< layers of the patch that has most
 };
 
-/// \param patches    (n_patches) as of resolve_patches
-/// \param is_wetted  (n_faces)
+/// \param patches      (n_patches) as of resolve_patches
+/// \param is_wetted    (n_faces)
+/// \param n_fan_faces  virtual faces of fans
 Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
-                  const IdVector<FaceId, char>& is_wetted);
+                  const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces = 0);
 
 /// A sentence or two: cells, points, memory, disk, bounding box.
 std::string describe(const Forecast& forecast);
