@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fan_trial.h"
 #include "nearwall/geometry/measures.h"
@@ -18,8 +19,8 @@ constexpr int kMinSweeps = 2;
 constexpr int kMaxSweeps = 40;
 
 /// Vertices whose fans do not fit get one line, and whether the ends of the fans beside them fit then has to be seen:
-/// what still does not after so many plans is left to the certificate.
-constexpr int kMostPlans = 4;
+/// what still does not after so many trials is left to the certificate.
+constexpr int kMostTrials = 4;
 
 int automatic_sweeps(const Wall& wall, const VertexField& field) {
   geometry::CompensatedSum edges, thickness;
@@ -54,60 +55,65 @@ IdVector<VertexId, surface::PointNormal> worst_of_groups(const Wall& wall, const
   return worst;
 }
 
-/// Plans lines, again with fewer cuts where fans do not fit.
+/// The normals of all groups of faces, for the cuts there are.
 class Directions {
  public:
-  Directions(const Wall& wall, const GrowOptions& options, const VertexField& field)
+  Directions(const Wall& wall, const GrowOptions& options)
       : wall_(wall), options_(options), is_cut_(find_cuts(wall, options)) {
-    smoothing_.filter = options.filter;
-    if (options.filter != surface::SmoothingFilter::None) {
-      smoothing_.iterations = options.smoothing_iterations.value_or(automatic_sweeps(wall, field));
+    find_normals();
+  }
+
+  bool has_cuts() const { return cut_->has_cuts(); }
+  LinePlan plan() const { return plan_lines(wall_, *cut_, of_copies_, options_.max_turn); }
+  IdVector<VertexId, surface::PointNormal> normals() const { return worst_of_groups(wall_, *cut_, of_copies_); }
+
+  /// From now on the vertices have one line: the ridges that meet there end in a single line at the vertex before.
+  void uncut(const std::vector<VertexId>& vertices) {
+    for (const VertexId v : vertices) {
+      for (const HalfedgeId h : wall_.topology.fan(v)) is_cut_[h] = is_cut_[wall_.topology.twin(h)] = 0;
     }
+    find_normals();
   }
 
-  LinePlan plan() {
-    const CutWall cut(wall_, is_cut_);
-    auto of_copies =
-        surface::point_normals(cut.surface(), cut.topology(), cut.features(), {.method = options_.normals});
-    surface::replace_blind_normals(cut.surface(), cut.topology(), cut.features(), of_copies);
-    normals_ = worst_of_groups(wall_, cut, of_copies);
-    if (smoothing_.filter != surface::SmoothingFilter::None) {
-      const auto held = cut.has_cuts() ? cut.held_copies() : IdVector<VertexId, char>();
-      surface::smooth_normals(cut.surface(), cut.topology(), cut.features(), smoothing_, of_copies, held);
-    }
-    return plan_lines(wall_, cut, of_copies, options_.max_turn);
+  void smooth(int sweeps) {
+    const auto held = has_cuts() ? cut_->held_copies() : IdVector<VertexId, char>();
+    const surface::SmoothingOptions smoothing{.filter = options_.filter, .iterations = sweeps};
+    surface::smooth_normals(cut_->surface(), cut_->topology(), cut_->features(), smoothing, of_copies_, held);
   }
-
-  /// From now on the vertex has one line: the ridges that meet there have several up to their last vertex but it.
-  void uncut(VertexId v) {
-    for (const HalfedgeId h : wall_.topology.fan(v)) is_cut_[h] = is_cut_[wall_.topology.twin(h)] = 0;
-  }
-
-  IdVector<VertexId, surface::PointNormal> take_normals() { return std::move(normals_); }
-  int sweeps() const { return smoothing_.iterations; }
 
  private:
+  void find_normals() {
+    cut_.emplace(wall_, is_cut_);
+    of_copies_ =
+        surface::point_normals(cut_->surface(), cut_->topology(), cut_->features(), {.method = options_.normals});
+    surface::replace_blind_normals(cut_->surface(), cut_->topology(), cut_->features(), of_copies_);
+  }
+
   const Wall& wall_;
   const GrowOptions& options_;
   IdVector<HalfedgeId, char> is_cut_;
-  surface::SmoothingOptions smoothing_;
-  IdVector<VertexId, surface::PointNormal> normals_;
+  std::optional<CutWall> cut_;
+  IdVector<VertexId, surface::PointNormal> of_copies_;
 };
 
 }  // namespace
 
 LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& field,
                    IdVector<VertexId, surface::PointNormal>& normals, int& sweeps) {
-  Directions directions(wall, options, field);
-  LinePlan plan = directions.plan();
-  for (int round = 0; round < kMostPlans; ++round) {
-    const std::vector<VertexId> unfit = find_unfit(wall, plan);
+  Directions directions(wall, options);
+  // Smoothing holds the normals at cuts, so whether fans fit can be seen before it.
+  for (int round = 0; round < kMostTrials && directions.has_cuts(); ++round) {
+    const std::vector<VertexId> unfit = find_unfit(wall, directions.plan());
     if (unfit.empty()) break;
-    for (const VertexId v : unfit) directions.uncut(v);
-    plan = directions.plan();
+    directions.uncut(unfit);
   }
-  normals = directions.take_normals();
-  sweeps = directions.sweeps();
+  normals = directions.normals();
+  sweeps = 0;
+  if (options.filter != surface::SmoothingFilter::None) {
+    sweeps = options.smoothing_iterations.value_or(automatic_sweeps(wall, field));
+    directions.smooth(sweeps);
+  }
+  LinePlan plan = directions.plan();
   for (const VertexId v : wall.surface.points.ids()) {
     if (plan.cannot_leave[v]) field.lower(v, 0, mesh::LimitReason::Visibility);
   }

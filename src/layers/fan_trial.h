@@ -6,9 +6,10 @@
 
 namespace nearwall::layers {
 
-/// Vertices whose fans fit no layers, however thin: where two layers a thousandth of an edge thick have a cell or a cap
-/// that is not positive, or meet those beside them. Only the faces round vertices with several lines are looked at.
-/// Also those that cannot leave the wall with several lines. In increasing order.
+/// Vertices whose fans do not fit: where two layers, a thousandth of the shortest edge at each vertex thick, have a
+/// cell or a cap that is not positive, or meet those beside them. Only the faces round vertices with several lines are
+/// looked at. Also those whose several lines cannot leave the wall. In increasing order. Cost: O(n log n) in those
+/// faces, and quadratic in those round one vertex.
 std::vector<VertexId> find_unfit(const Wall& wall, const LinePlan& plan);
 
 }  // namespace nearwall::layers
