@@ -7,7 +7,8 @@ namespace nearwall::layers {
 
 namespace {
 
-/// "auto" and "compress": layers are thinned as long as no height falls below this share of the first one asked.
+/// "compress": layers are thinned as long as no height falls below this share of the first one asked. "auto" thins
+/// without end: docs/theory/layers.md, section 4, has the figures.
 constexpr double kLeastScale = 0.01;
 
 constexpr int kAnyStep = std::numeric_limits<Level>::max();
@@ -23,7 +24,8 @@ std::vector<std::vector<double>> heights_of(const IdVector<PatchId, PatchSchedul
 Stacks::Stacks(const IdVector<PatchId, PatchSchedule>& schedules)
     : rows_(heights_of(schedules)), table_(rows_.table()) {
   for (const PatchSchedule& s : schedules) {
-    rules_.push_back({s.on_conflict == OnConflict::Stair, s.max_level_step.value_or(kAnyStep)});
+    rules_.push_back({s.on_conflict == OnConflict::Stair, s.on_conflict == OnConflict::Compress ? kLeastScale : 0.0,
+                      s.max_level_step.value_or(kAnyStep)});
   }
 }
 
@@ -39,7 +41,7 @@ double Stacks::distance(const mesh::Heights& h, Level level) const {
 Stack Stacks::fit(std::uint32_t patch, double limit, Level max_level) const {
   const ScheduleRows& rows = rows_.schedule(patch);
   if (!(limit > 0) || rows.n_levels == 0) return {};
-  const double asked = rows.asked_thickness(), thinnest = kLeastScale * rows.thickness.back();
+  const double asked = rows.asked_thickness(), thinnest = rules_[patch].least_scale * rows.thickness.back();
   const bool is_stair = rules_[patch].is_stair;
   Stack stack;
   stack.heights = rows.fit(is_stair ? asked : std::max(limit, thinnest));

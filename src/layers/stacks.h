@@ -35,7 +35,8 @@ class Stacks {
 
  private:
   struct Rule {
-    bool is_stair = false;  ///< heights stay as asked, layers go
+    bool is_stair = false;   ///< heights stay as asked, layers go
+    double least_scale = 0;  ///< otherwise: no height falls below this share of the first one asked, layers go instead
     int level_step = 0;
   };
 
