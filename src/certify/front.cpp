@@ -45,7 +45,7 @@ class FrontBuilder {
  private:
   std::uint32_t point_of(LineId line) const {
     const VertexId v = front_.line_vertex[line];
-    return lines_.windows[line].moves() ? line.index() : front_.first_line[v.index()];
+    return lines_.windows[line].moves() ? line.index() : front_.line_of(v).index();
   }
 
   void add(FrontFaceId f, const std::array<std::uint32_t, 3>& corners) {
@@ -76,8 +76,8 @@ std::vector<ComponentId> triangle_components(const mesh::Front& front, const Fro
     }
   }
   const auto of_vertex = [&](VertexId v) {
-    for (std::uint32_t i = front.first_line[v.index()]; i < front.first_line[v.index() + 1]; ++i) {
-      if (of_line[i].is_valid()) return of_line[i];
+    for (const LineId line : front.lines_of(v)) {
+      if (of_line[line.index()].is_valid()) return of_line[line.index()];
     }
     return ComponentId();
   };

@@ -121,8 +121,8 @@ void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field) {
   parallel_for(field.thickness.size(), [&](std::size_t i) {
     const VertexId v(i);
     if (!(field.thickness[v] > 0)) return;
-    for (std::uint32_t k = plan.front.first_line[i]; k < plan.front.first_line[i + 1]; ++k) {
-      limit_along(wall, tree, v, plan.direction[LineId(k)], plan.stretch[LineId(k)], field);
+    for (const LineId line : plan.front.lines_of(v)) {
+      limit_along(wall, tree, v, plan.direction[line], plan.stretch[line], field);
     }
     if (wall.features.kind[v] == surface::PointKind::Smooth) return;
     // At a ridge or corner the line leaves between its faces and may pass by what each of them looks at.

@@ -29,8 +29,7 @@ void update_vertex(const LinePlan& plan, const Stacks& stacks, VertexId v, doubl
   if (stack.end == 0) field.lower(v, 0, reason_or(field.reason[v], mesh::LimitReason::Quality));
   field.reached[v] = stack.thickness;
   if (stack.thickness < field.asked[v]) field.reason[v] = reason_or(field.reason[v], mesh::LimitReason::Neighbour);
-  for (std::uint32_t i = front.first_line[v.index()]; i < front.first_line[v.index() + 1]; ++i) {
-    const LineId line(i);
+  for (const LineId line : front.lines_of(v)) {
     lines.heights[line] = stack.heights;
     lines.windows[line] = {plan.start[v], stack.end};
   }
@@ -58,9 +57,9 @@ mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const Stacks& sta
   const double finest = resolution(wall);
   parallel_for(wall.surface.points.size(), [&](std::size_t i) {
     const VertexId v(i);
-    for (std::uint32_t k = front.first_line[i]; k < front.first_line[i + 1]; ++k) {
-      lines.base[LineId(k)] = wall.surface.points[v];
-      lines.pieces[k] = {plan.direction[LineId(k)] * plan.stretch[LineId(k)], 0.0};
+    for (const LineId line : front.lines_of(v)) {
+      lines.base[line] = wall.surface.points[v];
+      lines.pieces[line.index()] = {plan.direction[line] * plan.stretch[line], 0.0};
     }
     update_vertex(plan, stacks, v, finest, field, lines);
   });

@@ -5,6 +5,7 @@
 
 #include "nearwall/geometry/box.h"
 #include "nearwall/io/vtu_writer.h"
+#include "nearwall/mesh/front_part.h"
 #include "nearwall/mesh/mesh_source.h"
 
 namespace nearwall::pipeline {
@@ -17,7 +18,7 @@ constexpr double kAspect = 1.6;
 /// Share of the asked thickness from which a place is worth a picture.
 constexpr double kWorthShowing = 0.9;
 
-LineId line_of(const layers::Growth& growth, VertexId v) { return LineId(growth.front.first_line[v.index()]); }
+LineId line_of(const layers::Growth& growth, VertexId v) { return growth.front.line_of(v); }
 
 double thickness(const layers::Growth& growth, VertexId v) { return growth.reached_thickness[line_of(growth, v)]; }
 
@@ -62,79 +63,37 @@ struct Columns {
   mesh::Lines lines;
 };
 
-/// Takes over the vertices of a front one after the other, each with all of its lines.
-class ColumnsBuilder {
- public:
-  explicit ColumnsBuilder(const layers::Growth& growth) : growth_(growth), number_(growth.front.n_lines()) {
-    columns_.lines.table = growth.lines.table;
-    columns_.lines.first_piece.push_back(0);
-    columns_.front.first_line.push_back(0);
-  }
-
-  void add_vertex(VertexId v) {
-    const mesh::Front& front = growth_.front;
-    Columns& c = columns_;
-    const LineId first(front.first_line[v.index()]);
-    if (number_[first].is_valid()) return;
-    const VertexId vertex = c.wall.points.push_back(growth_.lines.base[first]);
-    for (std::uint32_t i = first.index(); i < front.first_line[v.index() + std::size_t{1}]; ++i) {
-      const LineId line(i);
-      number_[line] = c.front.line_vertex.push_back(vertex);
-      const auto& lines = growth_.lines;
-      for (std::uint32_t k = lines.first_piece[i]; k < lines.first_piece[i + std::size_t{1}]; ++k) {
-        c.lines.pieces.push_back(lines.pieces[k]);
-      }
-      c.lines.first_piece.push_back(static_cast<std::uint32_t>(c.lines.pieces.size()));
-      c.lines.base.push_back(lines.base[line]);
-      c.lines.heights.push_back(lines.heights[line]);
-      c.lines.windows.push_back(lines.windows[line]);
-    }
-    c.front.first_line.push_back(static_cast<std::uint32_t>(c.front.line_vertex.size()));
-  }
-
-  void add_face(FrontFaceId f) {
-    mesh::FrontFace face = growth_.front.faces[f];
-    for (int k = 0; k < growth_.front.faces[f].size(); ++k) {
-      LineId& line = face.lines[static_cast<std::size_t>(k)];
-      add_vertex(growth_.front.line_vertex[line]);
-      line = number_[line];
-    }
-    columns_.front.faces.push_back(face);
-  }
-
-  void add_wall_face(FaceId f, PatchId patch) {
-    add_face(FrontFaceId(f.index()));
-    const auto& lines = columns_.front.faces.raw().back().lines;
-    const auto& vertex = columns_.front.line_vertex;
-    columns_.wall.faces.push_back({vertex[lines[0]], vertex[lines[1]], vertex[lines[2]]});
-    columns_.wall.face_patch.push_back(patch);
-    ++columns_.front.n_wall_faces;
-  }
-
-  /// Whether a virtual face stands on vertices taken over only.
-  bool stands_here(FrontFaceId f) const {
-    const mesh::FrontFace& face = growth_.front.faces[f];
-    return std::all_of(face.lines.begin(), face.lines.begin() + face.size(),
-                       [&](LineId line) { return number_[line].is_valid(); });
-  }
-
-  Columns take() { return std::move(columns_); }
-
- private:
-  const layers::Growth& growth_;
-  Columns columns_;
-  IdVector<LineId, LineId> number_;
-};
-
 Columns columns_over(const layers::Wall& wall, const layers::Growth& growth, const std::vector<FaceId>& faces) {
-  ColumnsBuilder builder(growth);
-  for (const FaceId f : faces) builder.add_wall_face(f, wall.surface.face_patch[f]);
+  mesh::FrontPart part(growth.front);
+  for (const FaceId f : faces) part.add(FrontFaceId(f.index()));
   for (std::size_t i = growth.front.n_wall_faces; i < growth.front.faces.size(); ++i) {
-    if (builder.stands_here(FrontFaceId(i))) builder.add_face(FrontFaceId(i));
+    if (part.has_vertices_of(FrontFaceId(i))) part.add(FrontFaceId(i));
   }
-  Columns columns = builder.take();
-  columns.wall.patch_names = wall.surface.patch_names;
-  return columns;
+  Columns c;
+  c.front = part.front();
+  c.lines.table = growth.lines.table;
+  c.lines.first_piece.push_back(0);
+  for (const LineId line : part.original_line()) {
+    for (std::uint32_t i = growth.lines.first_piece[line.index()]; i < growth.lines.first_piece[line.index() + 1];
+         ++i) {
+      c.lines.pieces.push_back(growth.lines.pieces[i]);
+    }
+    c.lines.first_piece.push_back(static_cast<std::uint32_t>(c.lines.pieces.size()));
+    c.lines.base.push_back(growth.lines.base[line]);
+    c.lines.heights.push_back(growth.lines.heights[line]);
+    c.lines.windows.push_back(growth.lines.windows[line]);
+  }
+  c.wall.patch_names = wall.surface.patch_names;
+  for (std::size_t v = 0; v + 1 < c.front.first_line.size(); ++v) {
+    c.wall.points.push_back(wall.surface.points[part.original_vertex(VertexId(v))]);
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto& lines = c.front.faces[FrontFaceId(i)].lines;
+    c.wall.faces.push_back(
+        {c.front.line_vertex[lines[0]], c.front.line_vertex[lines[1]], c.front.line_vertex[lines[2]]});
+    c.wall.face_patch.push_back(wall.surface.face_patch[faces[i]]);
+  }
+  return c;
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ Integers group_counts(const layers::Wall& wall, const layers::Growth& growth) {
 
 void add_point_arrays(const layers::Wall& wall, const layers::Growth& growth, io::PolyDataFile& file) {
   const auto vertices = wall.surface.points.ids();
-  const auto line = [&](VertexId v) { return LineId(growth.front.first_line[v.index()]); };
+  const auto line = [&](VertexId v) { return growth.front.line_of(v); };
   Doubles normals;
   for (const VertexId v : vertices) {
     const Vec3 d = direction_of(growth, line(v));
@@ -69,10 +69,8 @@ void add_point_arrays(const layers::Wall& wall, const layers::Growth& growth, io
   file.point_data.push_back({"Normals", std::move(normals), 3});
   file.point_data.push_back({"VisibilityAngle", visibility_angles(wall, growth)});
   file.point_data.push_back({"PointKind", values(vertices, [&](VertexId v) { return to_int(wall.features.kind[v]); })});
-  file.point_data.push_back({"LineCount", values(vertices, [&](VertexId v) {
-                               return to_int(growth.front.first_line[v.index() + 1] -
-                                             growth.front.first_line[v.index()]);
-                             })});
+  file.point_data.push_back(
+      {"LineCount", values(vertices, [&](VertexId v) { return to_int(growth.front.n_lines(v)); })});
   file.point_data.push_back({"Groups", group_counts(wall, growth)});
   file.point_data.push_back({"Levels", values(vertices, [&](VertexId v) {
                                const mesh::Window window = growth.lines.windows[line(v)];

@@ -29,9 +29,7 @@ struct Grown {
     growth = grow(wall.wall(), options);
   }
 
-  std::size_t n_lines(VertexId v) const {
-    return growth.front.first_line[v.index() + std::size_t{1}] - growth.front.first_line[v.index()];
-  }
+  std::size_t n_lines(VertexId v) const { return growth.front.n_lines(v); }
   certify::Certificate certificate() const {
     return certify::certify_layers(mesh::LayerMesh(growth.front, growth.lines), wall.certified_wall());
   }
@@ -111,7 +109,7 @@ TEST(Fans, EndInALineThatStartsLate) {
   ASSERT_TRUE(body.certificate().is_valid());
   std::size_t n_late = 0;
   for (const VertexId v : body.wall.surface().points.ids()) {
-    const mesh::Window window = body.growth.lines.windows[LineId(body.growth.front.first_line[v.index()])];
+    const mesh::Window window = body.growth.lines.windows[body.growth.front.line_of(v)];
     if (window.start == 0) continue;
     ++n_late;
     EXPECT_EQ(window.start, 1);
@@ -216,7 +214,7 @@ TEST(FanTrial, FindsTheVertexWhoseLinesTurnTheWrongWay) {
   EXPECT_TRUE(find_unfit(wall.wall(), plan).empty());
   VertexId fan;
   for (const VertexId v : wall.surface().points.ids()) {
-    if (plan.front.first_line[v.index() + std::size_t{1}] - plan.front.first_line[v.index()] == 5) fan = v;
+    if (plan.front.n_lines(v) == 5) fan = v;
   }
   ASSERT_TRUE(fan.is_valid());
   const std::uint32_t first = plan.front.first_line[fan.index()];

@@ -29,7 +29,7 @@ GrowOptions two_schedules(const mesh::SurfaceMesh& surface, OnConflict on_confli
 /// Calls body(u, v) with the windows of the two ends of each edge whose lines both move.
 template <class Body>
 void for_each_moving_edge(const TestWall& wall, const Growth& growth, const Body& body) {
-  const auto window = [&](VertexId v) { return growth.lines.windows[LineId(growth.front.first_line[v.index()])]; };
+  const auto window = [&](VertexId v) { return growth.lines.windows[growth.front.line_of(v)]; };
   for (const VertexId v : wall.surface().points.ids()) {
     for (const HalfedgeId h : wall.topology().fan(v)) {
       const mesh::Window a = window(v), b = window(wall.topology().target(h));

@@ -7,7 +7,7 @@
 
 namespace nearwall {
 
-/// The ids 0 … n − 1.
+/// The ids 0 … n − 1, or those from one to before another.
 template <class IdType>
 class IdRange {
  public:
@@ -37,12 +37,14 @@ class IdRange {
     std::size_t index_ = 0;
   };
 
-  explicit IdRange(std::size_t n) : n_(n) {}
-  Iterator begin() const { return Iterator(0); }
-  Iterator end() const { return Iterator(n_); }
+  explicit IdRange(std::size_t n) : end_(n) {}
+  IdRange(std::size_t begin, std::size_t end) : begin_(begin), end_(end) {}
+  Iterator begin() const { return Iterator(begin_); }
+  Iterator end() const { return Iterator(end_); }
 
  private:
-  std::size_t n_;
+  std::size_t begin_ = 0;
+  std::size_t end_;
 };
 
 /// A vector that is indexed by one kind of id only.

@@ -23,6 +23,10 @@ struct Front {
   std::size_t n_wall_faces = 0;
 
   std::size_t n_lines() const { return line_vertex.size(); }
+  std::size_t n_lines(VertexId v) const { return first_line[v.index() + std::size_t{1}] - first_line[v.index()]; }
+  IdRange<LineId> lines_of(VertexId v) const { return {first_line[v.index()], first_line[v.index() + std::size_t{1}]}; }
+  /// The first of its lines, which stands for the vertex where all of them would say the same.
+  LineId line_of(VertexId v) const { return LineId(first_line[v.index()]); }
   bool is_wall(FrontFaceId f) const { return f.index() < n_wall_faces; }
 };
 
