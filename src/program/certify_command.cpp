@@ -116,10 +116,12 @@ void add_certify_command(CommandLine& line) {
       ->type_name("FILE");
   app.add_option("--offenders", arguments->n_offenders, "of each kind, how many to name")
       ->type_name("N")
+      ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   app.add_option("--layers", arguments->layers,
                  "with --wall: layers that count as all; default: the most common number")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::Range(1, 65534));
   app.add_option("--first-height", arguments->first_height, "with --wall: the first height that was asked for [length]")
       ->type_name("H")
       ->check(non_negative());

@@ -97,10 +97,31 @@ std::array<Corner, 3> corners_on(const mesh::VolumeMesh& mesh, FaceName face, co
   return corners;
 }
 
+/// Through a tetrahedron, where two lines start late: out by the face on which a wedge stands, if there is just one.
+std::optional<Passage> passage_to_wedge(const mesh::VolumeMesh& mesh, const mesh::FaceIndex& index, FaceName entry) {
+  std::optional<Passage> way;
+  for (std::size_t exit = 0; exit < mesh::cell_faces(CellType::Tetrahedron).size(); ++exit) {
+    const FaceName out(entry.cell(), exit), next = index.opposite(mesh, out);
+    if (exit == entry.face() || next == out || mesh.type[next.cell()] != CellType::Wedge || next.face() > 1) continue;
+    if (way) return std::nullopt;
+    // Three nodes of the entry, three of the exit: two stay, and the fourth lies over the third.
+    way = passage(exit, false, {{0, 0}, {1, 1}, {2, 2}, {3, 3}});
+    const auto corners_of = [](std::size_t f) { return mesh::cell_faces(CellType::Tetrahedron)[f].corners; };
+    const auto missing = [&](std::size_t f) {
+      const auto c = corners_of(f);
+      return static_cast<std::uint8_t>(6 - c[0] - c[1] - c[2]);
+    };
+    way->over[missing(exit)] = missing(entry.face());
+  }
+  return way;
+}
+
 /// Through one cell. \returns  whether there was a way
-bool pass(const mesh::VolumeMesh& mesh, FaceName& face, std::array<Corner, 3>& corners, bool& is_layer,
-          Histogram& growth) {
-  const auto way = passage_through(mesh.type[face.cell()], face.face());
+bool pass(const mesh::VolumeMesh& mesh, const mesh::FaceIndex& index, FaceName& face, std::array<Corner, 3>& corners,
+          bool& is_layer, Histogram& growth) {
+  const CellType type = mesh.type[face.cell()];
+  const auto way =
+      type == CellType::Tetrahedron ? passage_to_wedge(mesh, index, face) : passage_through(type, face.face());
   if (!way) return false;
   const auto nodes = mesh.nodes_of(face.cell());
   for (Corner& corner : corners) {
@@ -118,7 +139,7 @@ Column climb_column(const mesh::VolumeMesh& mesh, const mesh::FaceIndex& index, 
   std::array<Corner, 3> corners = corners_on(mesh, face, triangle);
   Column column;
   bool is_layer = false;
-  for (std::uint32_t n = 1; pass(mesh, face, corners, is_layer, growth); ++n) {
+  for (std::uint32_t n = 1; pass(mesh, index, face, corners, is_layer, growth); ++n) {
     if (is_layer) column.layers = n;
     const FaceName next = index.opposite(mesh, face);
     if (next == face) break;

@@ -147,6 +147,26 @@ TEST(WallLayers, PassesThroughAPyramidWhereALineStartsLate) {
   EXPECT_EQ(l.growth.count, 4u);  // 3 → 3 from corner 0; 1 → 2 → 3 from corner 1; 1 → 2 from corner 2
 }
 
+TEST(WallLayers, PassesThroughATetrahedronWhereTwoLinesStartLate) {
+  VolumeMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 3}, {1, 0, 3}, {0, 1, 3}};
+  add_cell(mesh, CellType::Tetrahedron, {0, 1, 2, 3});
+  add_cell(mesh, CellType::Wedge, {3, 1, 2, 4, 5, 6});
+  const mesh::SurfaceMesh wall = make_surface({mesh.points[0], mesh.points[1], mesh.points[2]}, {{0, 1, 2}});
+  Start start(1);
+  const mesh::FaceNodes bottom = {0, 1, 2, mesh::kNoNode};
+  for (std::size_t f = 0; f < 4; ++f) {
+    if (mesh::key_of(nodes_of(mesh, mesh::FaceName(0, f))).nodes == mesh::key_of(bottom).nodes) {
+      start[FaceId(0)] = mesh::FaceName(0, f);
+    }
+  }
+  ASSERT_TRUE(start[FaceId(0)].has_value());
+  const WallPatchLayers l = wall_layers(mesh, wall, start)[PatchId(0)];
+  EXPECT_EQ(l.count, 2u);
+  EXPECT_NEAR(l.first_height.median, (1 + 3 + 3) / 3.0, 1e-14);
+  EXPECT_NEAR(l.thickness.median, 3, 1e-14);
+}
+
 TEST(WallLayers, HasNoLayersWhereTetrahedraLieOnTheWall) {
   const VolumeMesh mesh = five_tetrahedra();
   const mesh::SurfaceMesh wall = make_surface({mesh.points[0], mesh.points[1], mesh.points[3]}, {{0, 1, 2}});
