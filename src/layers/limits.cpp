@@ -53,6 +53,26 @@ double swept_limit(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& v) {
   return limit;
 }
 
+/// Which share of each of its lines a triangle lets stand. Where two lines cross, the third one keeps its length if the
+/// swept wedge stays positive with those two lowered: on a long triangle that ends at a narrow place, the far one.
+std::array<double, 3> shares_kept(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& v) {
+  const double all = kCurvatureShare * swept_limit(x, v);
+  // A face without orientation from the start says nothing of heights: the certificate will judge it.
+  if (!(all < 1) || all == 0) return {1.0, 1.0, 1.0};
+  std::array<double, 3> shares = {all, all, all};
+  double most_room = 1;
+  for (std::size_t far = 0; far < 3; ++far) {
+    std::array<Vec3, 3> lowered = {v[0] * all, v[1] * all, v[2] * all};
+    lowered[far] = v[far];
+    const double room = kCurvatureShare * swept_limit(x, lowered);
+    if (room < most_room) continue;
+    shares = {all, all, all};
+    shares[far] = 1;
+    most_room = room;
+  }
+  return shares;
+}
+
 /// Keeps the thickness at v below its share of the way from v along `direction` to the next wall that faces v.
 /// \param per_thickness  length along the direction for each thickness
 void limit_along(const Wall& wall, const search::WallTree& tree, VertexId v, const Vec3& direction,
@@ -80,7 +100,7 @@ void limit_along(const Wall& wall, const search::WallTree& tree, VertexId v, con
 
 std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan, VertexField& field) {
   const std::size_t n_faces = wall.surface.faces.size();
-  std::vector<double> share(n_faces);
+  std::vector<std::array<double, 3>> share(n_faces);
   std::vector<double> kept(field.thickness.size());
   std::vector<char> is_lowered(field.thickness.size(), 0);
   for (int sweep = 0; sweep < kCurvatureSweeps; ++sweep) {
@@ -91,14 +111,15 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan,
         const LineId line = plan.front.faces[FrontFaceId(i)].lines[k];
         v[k] = plan.direction[line] * (plan.stretch[line] * field.thickness[wall.surface.faces[f][k]]);
       }
-      share[i] = kCurvatureShare * swept_limit(wall.surface.triangle(f), v);
+      share[i] = shares_kept(wall.surface.triangle(f), v);
     });
     // The least share of the faces round a vertex, all of this sweep: shares must not multiply within one.
     std::fill(kept.begin(), kept.end(), 1.0);
     for (std::size_t i = 0; i < n_faces; ++i) {
-      // A face without orientation from the start says nothing of heights: the certificate will judge it.
-      if (!(share[i] < 1) || share[i] == 0) continue;
-      for (const VertexId v : wall.surface.faces[FaceId(i)]) kept[v.index()] = std::min(kept[v.index()], share[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        double& least = kept[wall.surface.faces[FaceId(i)][k].index()];
+        least = std::min(least, share[i][k]);
+      }
     }
     bool any = false;
     for (const VertexId v : field.thickness.ids()) {

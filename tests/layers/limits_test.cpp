@@ -55,6 +55,33 @@ TEST(LimitByCurvature, LeavesConvexBodiesAlone) {
   EXPECT_TRUE(limit_by_curvature(a.wall.wall(), a.plan, a.field).empty());
 }
 
+TEST(LimitByCurvature, LowersTheTwoLinesThatCrossAndNotTheFarOne) {
+  // A plate with a narrow slit in its top: lines lean into the slit from both of its sides, none far from it.
+  Asked a(gallery::catalogued("groove", {}, 0.5), 0.2);
+  const auto& surface = a.wall.surface();
+  const auto lowered = limit_by_curvature(a.wall.wall(), a.plan, a.field);
+  ASSERT_FALSE(lowered.empty());
+  for (const FaceId f : surface.faces.ids()) {
+    std::array<Vec3, 3> swept;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LineId line = a.plan.front.faces[FrontFaceId(f.index())].lines[k];
+      const VertexId v = surface.faces[f][k];
+      swept[k] = surface.points[v] + a.plan.direction[line] * (a.plan.stretch[line] * a.field.thickness[v]);
+    }
+    // The top of the thick wedge keeps its orientation.
+    const auto t = surface.triangle(f);
+    const Vec3 before = cross(t[1] - t[0], t[2] - t[0]), after = cross(swept[1] - swept[0], swept[2] - swept[0]);
+    EXPECT_GT(dot(before, after), 0);
+  }
+  std::size_t n_mixed = 0;
+  for (const FaceId f : surface.faces.ids()) {
+    std::size_t n_full = 0;
+    for (const VertexId v : surface.faces[f]) n_full += a.field.thickness[v] == a.field.asked[v];
+    n_mixed += n_full == 1;
+  }
+  EXPECT_GT(n_mixed, 0u) << "triangles of which one line keeps all of its length";
+}
+
 TEST(LimitByGaps, SharesAGapFairly) {
   const double gap = 0.1;
   Asked a(gallery::catalogued("two-boxes", {{"gap", gap}}, 0.25), 0.3);
