@@ -19,34 +19,6 @@ void uncut(const Wall& wall, HalfedgeId h, IdVector<HalfedgeId, char>& is_cut) {
   is_cut[h] = is_cut[wall.topology.twin(h)] = 0;
 }
 
-/// Takes cuts back where they end: an edge that is a whole cut divides no vertex, and the line at the end of a fan
-/// skips a level, so with a single one beside it would have none.
-void shorten(const Wall& wall, const GrowOptions& options, IdVector<HalfedgeId, char>& is_cut) {
-  const auto only_cut = [&](VertexId v) {
-    HalfedgeId only;
-    for (const HalfedgeId h : wall.topology.fan(v)) {
-      if (!is_cut[h]) continue;
-      if (only.is_valid()) return HalfedgeId();
-      only = h;
-    }
-    return only;
-  };
-  const auto has_one_layer = [&](VertexId v) {
-    const auto fan = wall.topology.fan(v);
-    return std::any_of(fan.begin(), fan.end(),
-                       [&](HalfedgeId h) { return n_layers(wall, options, Topology::face(h)) == 1; });
-  };
-  for (const VertexId end : wall.surface.points.ids()) {
-    VertexId v = end;
-    for (HalfedgeId h = only_cut(v); h.is_valid(); h = only_cut(v)) {
-      const VertexId next = wall.topology.target(h);
-      if (!has_one_layer(v) && only_cut(next) != wall.topology.twin(h)) break;
-      uncut(wall, h, is_cut);
-      v = next;
-    }
-  }
-}
-
 IdVector<VertexId, VertexId> find_originals(const surface::CornerGroups& groups) {
   IdVector<VertexId, VertexId> original(groups.offset.raw().back());
   for (std::size_t v = 0; v + 1 < groups.offset.size(); ++v) {
@@ -75,6 +47,32 @@ mesh::SurfaceMesh with_copies(const mesh::SurfaceMesh& wall, const surface::Corn
 
 }  // namespace
 
+void shorten_cuts(const Wall& wall, const GrowOptions& options, IdVector<HalfedgeId, char>& is_cut) {
+  const auto only_cut = [&](VertexId v) {
+    HalfedgeId only;
+    for (const HalfedgeId h : wall.topology.fan(v)) {
+      if (!is_cut[h]) continue;
+      if (only.is_valid()) return HalfedgeId();
+      only = h;
+    }
+    return only;
+  };
+  const auto has_one_layer = [&](VertexId v) {
+    const auto fan = wall.topology.fan(v);
+    return std::any_of(fan.begin(), fan.end(),
+                       [&](HalfedgeId h) { return n_layers(wall, options, Topology::face(h)) == 1; });
+  };
+  for (const VertexId end : wall.surface.points.ids()) {
+    VertexId v = end;
+    for (HalfedgeId h = only_cut(v); h.is_valid(); h = only_cut(v)) {
+      const VertexId next = wall.topology.target(h);
+      if (!has_one_layer(v) && only_cut(next) != wall.topology.twin(h)) break;
+      uncut(wall, h, is_cut);
+      v = next;
+    }
+  }
+}
+
 IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options) {
   IdVector<HalfedgeId, char> is_cut(wall.features.is_ridge.size(), 0);
   if (!options.several_lines) return is_cut;
@@ -84,7 +82,7 @@ IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& option
   for (const HalfedgeId h : is_cut.ids()) {
     if (is_cut[h] && !(has_layers(h) && has_layers(wall.topology.twin(h)))) uncut(wall, h, is_cut);
   }
-  shorten(wall, options, is_cut);
+  shorten_cuts(wall, options, is_cut);
   return is_cut;
 }
 

@@ -11,6 +11,10 @@ namespace nearwall::layers {
 /// halfedges. No edge is one whose ends both have one group, or ends where there is one layer only.
 IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& options);
 
+/// Takes cuts back where they end: an edge that is a whole cut divides no vertex, and the line at the end of a fan
+/// skips a level, so where there is a single one it would have none.
+void shorten_cuts(const Wall& wall, const GrowOptions& options, IdVector<HalfedgeId, char>& is_cut);
+
 /// The wall cut open along the ridges that get several lines: each group of faces round a vertex has a copy of that
 /// vertex for itself, and the ridge has become two boundaries. Normals and their smoothing know nothing of fans: they
 /// work on this surface. Copy g is group g of `groups`; faces and halfedges keep their numbers. Without such ridges it

@@ -72,6 +72,7 @@ class Directions {
     for (const VertexId v : vertices) {
       for (const HalfedgeId h : wall_.topology.fan(v)) is_cut_[h] = is_cut_[wall_.topology.twin(h)] = 0;
     }
+    shorten_cuts(wall_, options_, is_cut_);
     find_normals();
   }
 

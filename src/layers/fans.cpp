@@ -35,19 +35,8 @@ Vec3 outward(const Wall& wall, HalfedgeId h) {
   return normalized(left + right + cross(along, left) + cross(right, along));
 }
 
-/// The other cut edge at the vertex where h begins, if the fan runs through there: two cuts meet.
-HalfedgeId opposite_cut(const Wall& wall, const CutWall& cut, HalfedgeId h) {
-  const VertexId v = wall.topology.origin(h);
-  if (cut.n_copies(v) != 2) return {};
-  for (const HalfedgeId out : wall.topology.fan(v)) {
-    if (out != h && cut.is_cut(out)) return out;
-  }
-  return {};
-}
-
 /// Where the middle of the fan points: away from the edge, or from both where it runs through.
-Vec3 middle(const Wall& wall, const CutWall& cut, HalfedgeId h) {
-  const HalfedgeId other = opposite_cut(wall, cut, h);
+Vec3 middle(const Wall& wall, HalfedgeId h, HalfedgeId other) {
   const Vec3 own = outward(wall, h);
   return other.is_valid() ? normalized(own + outward(wall, other)) : own;
 }
@@ -82,8 +71,9 @@ struct Arcs {
   }
 };
 
-Arcs arcs_of(const Wall& wall, const CutWall& cut, const IdVector<VertexId, Vec3>& normal, HalfedgeId h) {
-  return {normal[left_copy(cut, h)], middle(wall, cut, h), normal[right_copy(wall, cut, h)]};
+Arcs arcs_of(const Fans& fans, const Wall& wall, const CutWall& cut, const IdVector<VertexId, Vec3>& normal,
+             HalfedgeId h) {
+  return {normal[left_copy(cut, h)], middle(wall, h, fans.onwards(h)), normal[right_copy(wall, cut, h)]};
 }
 
 /// Sets of fans that have one number of lines.
@@ -103,7 +93,7 @@ class Chains {
 }  // namespace
 
 Fans::Fans(const Wall& wall, const CutWall& cut, const IdVector<VertexId, Vec3>& normal, double max_turn)
-    : wall_(wall), normal_(normal) {
+    : wall_(wall), cut_(cut), normal_(normal) {
   if (!cut.has_cuts()) return;
   number_.resize(3 * wall.surface.faces.size(), kNone);
   for (const HalfedgeId h : number_.ids()) {
@@ -111,21 +101,30 @@ Fans::Fans(const Wall& wall, const CutWall& cut, const IdVector<VertexId, Vec3>&
     number_[h] = static_cast<std::uint32_t>(fans_.size());
     fans_.push_back({h, {}});
   }
-  count_lines(cut, max_turn);
-  for (std::size_t i = 0; i < fans_.size(); ++i) lay(cut, fans_[i], n_lines_[i]);
+  count_lines(max_turn);
+  for (std::size_t i = 0; i < fans_.size(); ++i) lay(fans_[i], n_lines_[i]);
   std::sort(twisted_.begin(), twisted_.end());
   twisted_.erase(std::unique(twisted_.begin(), twisted_.end()), twisted_.end());
 }
 
-void Fans::count_lines(const CutWall& cut, double max_turn) {
+HalfedgeId Fans::onwards(HalfedgeId h) const {
+  const VertexId v = wall_.topology.origin(h);
+  if (cut_.n_copies(v) != 2) return {};
+  for (const HalfedgeId out : wall_.topology.fan(v)) {
+    if (out != h && cut_.is_cut(out)) return out;
+  }
+  return {};
+}
+
+void Fans::count_lines(double max_turn) {
   Chains chains(fans_.size());
   std::vector<double> turn(fans_.size());
   for (std::size_t i = 0; i < fans_.size(); ++i) {
     const HalfedgeId h = fans_[i].edge;
-    turn[i] = arcs_of(wall_, cut, normal_, h).turn();
+    turn[i] = arcs_of(*this, wall_, cut_, normal_, h).turn();
     if (const Fan* there = at(wall_.topology.twin(h))) chains.join(i, number_[there->edge]);
-    const HalfedgeId onwards = opposite_cut(wall_, cut, h);
-    if (onwards.is_valid()) chains.join(i, number_[onwards]);
+    const HalfedgeId other = onwards(h);
+    if (other.is_valid()) chains.join(i, number_[other]);
   }
   std::vector<double> largest(fans_.size(), 0);
   for (std::size_t i = 0; i < fans_.size(); ++i) {
@@ -138,14 +137,14 @@ void Fans::count_lines(const CutWall& cut, double max_turn) {
   }
 }
 
-void Fans::lay(const CutWall& cut, Fan& fan, std::size_t n_lines) {
-  const HalfedgeId onwards = opposite_cut(wall_, cut, fan.edge);
-  if (onwards.is_valid() && onwards < fan.edge) {
+void Fans::lay(Fan& fan, std::size_t n_lines) {
+  const HalfedgeId other = onwards(fan.edge);
+  if (other.is_valid() && other < fan.edge) {
     // One set of lines serves both edges: what is left of one is right of the other.
-    const auto& first = fans_[number_[onwards]].direction;
+    const auto& first = fans_[number_[other]].direction;
     fan.direction.assign(first.rbegin(), first.rend());
   } else {
-    fan.direction = arcs_of(wall_, cut, normal_, fan.edge).spread(n_lines);
+    fan.direction = arcs_of(*this, wall_, cut_, normal_, fan.edge).spread(n_lines);
   }
   if (!turns_along_edges(fan)) twisted_.push_back(wall_.topology.origin(fan.edge));
 }

@@ -22,17 +22,21 @@ class Fans {
 
   /// The fan at the beginning of h; none where h is not cut or all faces round that vertex are one group.
   const Fan* at(HalfedgeId h) const { return number_.empty() || number_[h] == kNone ? nullptr : &fans_[number_[h]]; }
+  /// The other cut edge at the beginning of h where just two cuts meet: one set of lines serves both. Invalid
+  /// elsewhere.
+  HalfedgeId onwards(HalfedgeId h) const;
   /// Vertices round which no fan turns the right way at some edge, exactly: their lines cannot leave the wall.
   const std::vector<VertexId>& twisted() const { return twisted_; }
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  void count_lines(const CutWall& cut, double max_turn);
-  void lay(const CutWall& cut, Fan& fan, std::size_t n_lines);
+  void count_lines(double max_turn);
+  void lay(Fan& fan, std::size_t n_lines);
   bool turns_along_edges(const Fan& fan) const;
 
   const Wall& wall_;
+  const CutWall& cut_;
   const IdVector<VertexId, Vec3>& normal_;
   std::vector<Fan> fans_;
   IdVector<HalfedgeId, std::uint32_t> number_;  // of the fan, (3 n_faces) or empty

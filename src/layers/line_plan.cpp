@@ -4,6 +4,7 @@
 
 #include "corner_polygon.h"
 #include "fans.h"
+#include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
 #include "nearwall/geometry/angles.h"
 
@@ -92,16 +93,14 @@ class Planner {
       if (cut_.is_cut(h)) cuts.push_back(h);
     }
     if (fan_line_.empty()) fan_line_.resize(3 * wall_.surface.faces.size());
-    // Where two cuts meet, one set of lines serves both.
-    const HalfedgeId own = cuts.size() == 2 ? std::min(cuts[0], cuts[1]) : HalfedgeId();
     for (const HalfedgeId h : cuts) {
-      if (own.is_valid() && h != own) continue;
+      const HalfedgeId other = fans_.onwards(h);
+      if (other.is_valid() && other < h) continue;
       const Fan& fan = *fans_.at(h);
       fan_line_[h] = LineId(plan_.direction.size());
       for (std::size_t i = 1; i + 1 < fan.direction.size(); ++i) add_line(v, fan.direction[i]);
     }
-    if (own.is_valid()) return;
-    fill(v, cuts);
+    if (cuts.size() > 2) fill(v, cuts);
   }
 
   /// Line i of the fan at the beginning of h, counted from the left of h; the one line of the vertex without a fan.
@@ -112,11 +111,9 @@ class Planner {
     if (i + 1 >= n) return line_of(cut_.copy_at(Topology::next(wall_.topology.twin(h))));
     if (fan_line_[h].is_valid()) return LineId(fan_line_[h].index() + i - 1);
     // The set of lines belongs to the other cut, on which left and right are exchanged.
-    const VertexId v = wall_.topology.origin(h);
-    for (const HalfedgeId other : wall_.topology.fan(v)) {
-      if (other != h && cut_.is_cut(other)) return LineId(fan_line_[other].index() + (n - 1 - i) - 1);
-    }
-    return {};
+    const HalfedgeId other = fans_.onwards(h);
+    expect(other.is_valid(), "a fan without lines of its own to run through");
+    return LineId(fan_line_[other].index() + (n - 1 - i) - 1);
   }
 
   /// The loop of lines round a corner, counterclockwise, and how it is filled.

@@ -11,6 +11,7 @@ namespace {
 /// without end: docs/theory/layers.md, section 4, has the figures.
 constexpr double kLeastScale = 0.01;
 
+/// More levels than any line has.
 constexpr int kAnyStep = std::numeric_limits<Level>::max();
 
 std::vector<std::vector<double>> heights_of(const IdVector<PatchId, PatchSchedule>& schedules) {

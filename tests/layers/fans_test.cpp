@@ -202,6 +202,25 @@ TEST(Fans, OfCrossingRidgesDoNotRunThroughEachOther) {
   for (const mesh::Window& window : body.growth.lines.windows) EXPECT_EQ(window.end, 6);
 }
 
+TEST(Fans, NameVerticesRoundWhichTheyTurnTheWrongWay) {
+  const TestWall wall(gallery::catalogued("wedge", {{"angle", 10}}, 0.2));
+  const GrowOptions options = options_for(wall.surface(), {0.01, 0.01});
+  const Wall seen = wall.wall();
+  const CutWall cut(seen, find_cuts(seen, options));
+  IdVector<VertexId, Vec3> normal;
+  for (const auto& n : surface::point_normals(cut.surface(), cut.topology(), cut.features())) {
+    normal.push_back(n.direction);
+  }
+  EXPECT_TRUE(Fans(seen, cut, normal, options.max_turn).twisted().empty());
+  VertexId inner;
+  for (const VertexId v : wall.surface().points.ids()) {
+    if (cut.n_copies(v) == 2) inner = v;
+  }
+  ASSERT_TRUE(inner.is_valid());
+  std::swap(normal[cut.first_copy(inner)], normal[VertexId(cut.first_copy(inner).index() + 1)]);
+  EXPECT_EQ(Fans(seen, cut, normal, options.max_turn).twisted(), std::vector<VertexId>{inner});
+}
+
 TEST(FanTrial, FindsTheVertexWhoseLinesTurnTheWrongWay) {
   TestWall wall(gallery::catalogued("wedge", {{"angle", 10}}, 0.2));
   GrowOptions options = options_for(wall.surface(), {0.01, 0.01});
