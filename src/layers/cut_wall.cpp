@@ -77,7 +77,7 @@ IdVector<HalfedgeId, char> find_cuts(const Wall& wall, const GrowOptions& option
   IdVector<HalfedgeId, char> is_cut(wall.features.is_ridge.size(), 0);
   if (!options.several_lines) return is_cut;
   is_cut = surface::ridges_with_several_lines(wall.surface, wall.topology, wall.features,
-                                              {.multi_angle = options.multi_angle});
+                                              {.multi_angle = options.multi_angle, .steep_angle = options.steep_angle});
   const auto has_layers = [&](HalfedgeId h) { return n_layers(wall, options, Topology::face(h)) > 1; };
   for (const HalfedgeId h : is_cut.ids()) {
     if (is_cut[h] && !(has_layers(h) && has_layers(wall.topology.twin(h)))) uncut(wall, h, is_cut);

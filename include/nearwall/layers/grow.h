@@ -10,6 +10,7 @@
 #include "nearwall/mesh/surface_mesh.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
+#include "nearwall/surface/patch_normals.h"
 #include "nearwall/surface/point_normals.h"
 #include "nearwall/surface/smoothing.h"
 
@@ -32,8 +33,11 @@ struct GrowOptions {
   surface::SmoothingFilter filter = surface::SmoothingFilter::Taubin;
   std::optional<int> smoothing_iterations;  ///< nullopt: follows thickness / edge length
   bool several_lines = true;                ///< at convex ridges and corners that need them; false: one for each vertex
-  double multi_angle = 1.745329251994329577;  ///< turn of a convex ridge from which it gets several lines [rad]
-  double max_turn = 0.785398163397448310;     ///< largest angle between two lines of a fan, 1 to 90 degrees [rad]
+  double multi_angle =
+      surface::GroupOptions().multi_angle;  ///< turn of a convex ridge from which it gets several lines [rad]
+  /// Angle to the worst face round a vertex from which its convex ridges get several lines [rad], (0, pi / 2].
+  double steep_angle = surface::GroupOptions().steep_angle;
+  double max_turn = 0.785398163397448310;  ///< largest angle between two lines of a fan, 1 to 90 degrees [rad]
   /// Rounds of certify and shrink after which what fails is blocked at once, and after twice as many the whole
   /// component that it lies on: so the number of rounds is bounded on any surface. Seen on real surfaces: 0 to 41.
   int patient_rounds = 100;
