@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <queue>
-#include <utility>
 
 #include "vertex_field.h"
 
@@ -53,39 +52,6 @@ std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vec
     const Entry entry = queue.top();
     queue.pop();
     if (entry.thickness == field.thickness[entry.vertex]) lower_neighbours(entry.vertex);
-  }
-  sort_and_unite(lowered);
-  return lowered;
-}
-
-std::vector<VertexId> step_levels(const Wall& wall, const Stacks& stacks, VertexField& field,
-                                  const std::vector<VertexId>& seeds) {
-  if (!stacks.has_level_steps()) return {};
-  const auto end_of = [&](VertexId v) {
-    return stacks.fit(field.schedule[v], field.thickness[v], field.max_level[v]).end;
-  };
-  using LevelEntry = std::pair<Level, VertexId>;
-  std::priority_queue<LevelEntry, std::vector<LevelEntry>, std::greater<>> queue;
-  const auto push = [&](VertexId v) {
-    if (const Level end = end_of(v); end > 0) queue.push({end, v});
-  };
-  if (seeds.empty()) {
-    for (const VertexId v : field.thickness.ids()) push(v);
-  } else {
-    for (const VertexId v : seeds) push(v);
-  }
-  std::vector<VertexId> lowered;
-  while (!queue.empty()) {
-    const auto [end, v] = queue.top();
-    queue.pop();
-    for (const HalfedgeId h : wall.topology.fan(v)) {
-      const VertexId u = wall.topology.target(h);
-      const int allowed = end + stacks.level_step(field.schedule[u]);
-      if (end_of(u) <= allowed) continue;
-      field.max_level[u] = static_cast<Level>(allowed);
-      lowered.push_back(u);
-      push(u);
-    }
   }
   sort_and_unite(lowered);
   return lowered;
