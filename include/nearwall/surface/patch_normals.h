@@ -21,8 +21,8 @@ struct GroupOptions {
   /// Turn above which a convex ridge gets several lines [rad], (0, pi); default 100 degrees.
   double multi_angle = 1.745329251994329577;
   /// Angle to the worst face round a vertex from which its convex ridges get several lines [rad], (0, pi / 2]; default
-  /// 70 degrees.
-  double steep_angle = 1.221730476396030703;
+  /// 62 degrees.
+  double steep_angle = 1.082104136236484271;
 };
 
 /// Ridges that get several lines: the same answer all along a ridge, from one corner or ridge end to the next. A convex
