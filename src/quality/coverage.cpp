@@ -1,6 +1,7 @@
 #include "nearwall/quality/coverage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
@@ -74,7 +75,7 @@ FaceCoverage cover(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
 
 PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& members,
                      const IdVector<FaceId, FaceCoverage>& faces, const PatchRequest& request) {
-  geometry::CompensatedSum total, full, all, any, layers;
+  geometry::CompensatedSum total, full, all, any, layers, met, large;
   std::array<geometry::CompensatedSum, mesh::kNLimitReasons> limited;
   std::vector<double> areas, first_heights, thicknesses;
   for (const FaceId f : members) {
@@ -86,6 +87,10 @@ PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& m
     if (face.has_all_layers) all.add(area);
     if (face.has_any) any.add(area);
     layers.add(area * face.layers);
+    if (std::abs(face.first_height - request.first_height) <= kFirstHeightTolerance * request.first_height) {
+      met.add(area);
+    }
+    if (face.first_height > kLargeFirstHeight * request.first_height) large.add(area);
     if (face.reason != mesh::LimitReason::None) limited[static_cast<std::size_t>(face.reason)].add(area);
     areas.push_back(area);
     first_heights.push_back(face.first_height);
@@ -102,6 +107,8 @@ PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& m
   patch.all_layers_percent = percent(all);
   patch.any_percent = percent(any);
   patch.mean_layers = layers.value() / patch.area;
+  patch.first_height_met_percent = percent(met);
+  patch.first_height_large_percent = percent(large);
   for (std::size_t r = 0; r < limited.size(); ++r) patch.limit_percent[r] = percent(limited[r]);
   patch.first_height = weighted_statistics(first_heights, areas, true);
   patch.thickness = weighted_statistics(thicknesses, areas, true);

@@ -65,6 +65,19 @@ TEST(Coverage, OfABlockedCornerLowersTheFirstHeight) {
   EXPECT_EQ(c.mean_layers, 1.5);
 }
 
+TEST(Coverage, SharesOutFirstHeightsByTheirDistanceFromTheAskedOne) {
+  PlateLayers plate;
+  const auto stretched = [&](double factor) {  // the lines of the first triangle; the second one has two of them
+    for (std::size_t i = 0; i < 3; ++i) plate.lines.pieces[i].direction = {0, 0, factor};
+    return coverage_of(plate);
+  };
+  EXPECT_EQ(stretched(1).first_height_met_percent, 100);
+  EXPECT_EQ(stretched(1.06).first_height_met_percent, 50) << "1.06 and 1.04 of the asked one";
+  EXPECT_EQ(stretched(1.06).first_height_large_percent, 0);
+  EXPECT_EQ(stretched(0.9).first_height_met_percent, 0);
+  EXPECT_EQ(stretched(1.6).first_height_large_percent, 50) << "1.6 and 1.4 of the asked one";
+}
+
 TEST(Coverage, NeedsNinetyFivePercentOfTheThicknessToBeFull) {
   PlateLayers plate;
   const auto thin = [&](double factor) {

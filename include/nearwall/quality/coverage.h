@@ -14,6 +14,12 @@ namespace nearwall::quality {
 /// Share of the asked thickness from which a triangle counts as full.
 inline constexpr double kFullThickness = 0.95;
 
+/// First heights that differ from the asked one by this share of it at most count as the asked one.
+inline constexpr double kFirstHeightTolerance = 0.05;
+
+/// First heights beyond this multiple of the asked one count as too large.
+inline constexpr double kLargeFirstHeight = 1.5;
+
 /// What was asked for on one patch.
 struct PatchRequest {
   bool has_layers = true;
@@ -51,6 +57,8 @@ struct PatchCoverage {
   double mean_layers = 0;
   PatchRequest asked;
   Statistics first_height;
+  double first_height_met_percent = 0;    ///< within kFirstHeightTolerance of the asked one
+  double first_height_large_percent = 0;  ///< beyond kLargeFirstHeight of it
   Statistics thickness;
   std::array<double, mesh::kNLimitReasons>
       limit_percent{};  ///< by LimitReason, of triangles that are not full; None: 0
