@@ -7,6 +7,7 @@
 #include "nearwall/core/markup.h"
 #include "pipeline/report_charts.h"
 #include "pipeline/report_json.h"
+#include "pipeline/report_limits.h"
 #include "pipeline/report_style.h"
 
 namespace nearwall {
@@ -19,13 +20,6 @@ std::string card(const std::string& value, std::string_view caption) {
   return fmt::format("<div class='card'><b>{}</b><span>{}</span></div>", value, caption);
 }
 
-std::string percent(double value) {
-  // 99.96 must not read as 100.
-  const double shown_value = value < 100 && value > 99.9 ? 99.9 : value;
-  return shown_value == 100 || shown_value == 0 ? fmt::format("{:.0f} %", shown_value)
-                                                : fmt::format("{:.1f} %", shown_value);
-}
-
 std::string duration(double seconds) {
   if (seconds < 60) return fmt::format("{:.{}f} s", seconds, seconds < 10 ? 2 : 1);
   const auto whole = static_cast<int>(seconds + 0.5);
@@ -33,8 +27,6 @@ std::string duration(double seconds) {
 }
 
 std::string megabytes(std::uint64_t bytes) { return fmt::format("{:.0f} MB", static_cast<double>(bytes) / 1e6); }
-
-bool is_wall(const PatchReport& patch) { return patch.type == PatchType::Wall && patch.coverage.area > 0; }
 
 /// A percentage over all walls by area. What is missing is summed, so that nothing missing is 100 exactly.
 double over_all_walls(const Report& report, double quality::PatchCoverage::*member) {
@@ -96,6 +88,8 @@ std::string pictures_of(const Report& report, const std::filesystem::path& folde
                          : fmt::format("<section><h2>Pictures</h2><div class='pictures'>{}</div></section>", figures);
 }
 
+constexpr std::size_t kReasonsInARow = 3;
+
 std::string coverage_bar(const quality::PatchCoverage& c) {
   const std::array<Share, 4> shares = {{{"all layers, full thickness", c.full_percent, "full"},
                                         {"all layers, thinner", c.all_layers_percent - c.full_percent, "all"},
@@ -107,30 +101,23 @@ std::string coverage_bar(const quality::PatchCoverage& c) {
 std::string coverage_row(const PatchReport& patch) {
   const quality::PatchCoverage& c = patch.coverage;
   if (!is_wall(patch)) {
-    return fmt::format("<tr><td>{}</td><td>{}</td><td class='left' colspan='6'><small>{}</small></td></tr>",
+    return fmt::format("<tr><td>{}</td><td>{}</td><td class='left' colspan='8'><small>{}</small></td></tr>",
                        escaped_markup(patch.name), shown(c.area),
                        patch.type == PatchType::Wall ? "out of the fluid's reach" : "no layers asked for");
   }
   const auto against = [](double value, double asked) {
-    return fmt::format("{}<br><small>of {}</small>", shown(value, 3), shown(asked, 3));
+    return fmt::format("{}<br><small>{} of {}</small>", shown(value, 3), percent(asked > 0 ? 100 * value / asked : 100),
+                       shown(asked, 3));
   };
   return fmt::format(
       "<tr{}><td>{}{}</td><td>{}</td><td class='left'>{}</td><td>{}</td><td>{}</td><td>{:.1f}<br><small>of "
-      "{}</small></td><td>{}</td><td>{}</td></tr>",
+      "{}</small></td><td>{}</td><td>{}</td><td>{}</td><td class='left'><small>{}</small></td></tr>",
       patch.is_below_min_coverage() ? " class='short'" : "", escaped_markup(patch.name),
       patch.is_below_min_coverage() ? fmt::format("<br><small>under min_coverage = {} %</small>", patch.min_coverage)
                                     : "",
       shown(c.area), coverage_bar(c), percent(c.all_layers_percent), percent(c.full_percent), c.mean_layers,
-      c.asked.count, against(c.first_height.median, c.asked.first_height),
-      against(c.thickness.median, c.asked.total_thickness));
-}
-
-std::string legend(std::span<const std::pair<std::string_view, std::string_view>> entries) {
-  std::string out = "<div class='legend'>";
-  for (const auto& [css_class, label] : entries) {
-    out += fmt::format("<span><i class='{}'></i>{}</span>", css_class, label);
-  }
-  return out + "</div>";
+      c.asked.count, against(c.first_height.median, c.asked.first_height), percent(c.first_height_met_percent),
+      against(c.thickness.median, c.asked.total_thickness), reasons_in_words(c, kReasonsInARow));
 }
 
 std::string coverage_of(const Report& report) {
@@ -144,39 +131,10 @@ std::string coverage_of(const Report& report) {
   return fmt::format(
       "<section><h2>Coverage</h2><div class='scroll'><table><thead><tr><th>patch</th><th>area</th><th "
       "class='left'>share of the "
-      "area</th><th>all layers</th><th>full</th><th>mean layers</th><th>first height,<br>median</th><th>thickness,<br>"
-      "median</th></tr></thead><tbody>{}</tbody></table></div>{}</section>",
+      "area</th><th>all layers</th><th>full</th><th>mean layers</th><th>first height,<br>median</th>"
+      "<th>within 5 %</th><th>thickness,<br>median</th><th class='left'>limited by,<br>% of the "
+      "area</th></tr></thead><tbody>{}</tbody></table></div>{}</section>",
       rows, legend(kEntries));
-}
-
-std::string limits_of(const Report& report) {
-  std::string rows;
-  std::array<bool, mesh::kNLimitReasons> is_used{};
-  std::array<std::string, mesh::kNLimitReasons> classes;
-  for (std::size_t r = 1; r < classes.size(); ++r) classes[r] = fmt::format("limit-{}", r);
-  for (const PatchReport& patch : report.patches) {
-    if (!is_wall(patch) || patch.coverage.full_percent >= 100) continue;
-    std::vector<Share> shares;
-    const double limited = 100 - patch.coverage.full_percent;
-    for (std::size_t r = 1; r < mesh::kNLimitReasons; ++r) {
-      const double share = patch.coverage.limit_percent[r];
-      if (!(share > 0)) continue;
-      is_used[r] = true;
-      shares.push_back({mesh::kLimitReasonNames[r], 100 * share / limited, classes[r]});
-    }
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td class='left'>{}</td></tr>", escaped_markup(patch.name),
-                        percent(limited), stacked_bar(shares));
-  }
-  if (rows.empty()) return "";
-  std::vector<std::pair<std::string_view, std::string_view>> entries;
-  for (std::size_t r = 1; r < is_used.size(); ++r) {
-    if (is_used[r]) entries.emplace_back(classes[r], mesh::kLimitReasonNames[r]);
-  }
-  return fmt::format(
-      "<section><h2>Why the rest is not full</h2><div class='scroll'><table><thead><tr><th>patch</th><th>not "
-      "full</th><th "
-      "class='left'>share by reason</th></tr></thead><tbody>{}</tbody></table></div>{}</section>",
-      rows, legend(entries));
 }
 
 struct Measure {

@@ -29,6 +29,18 @@ Json statistics_json(const quality::Statistics& s) {
   return {{"min", s.min}, {"p01", s.p01}, {"median", s.median}, {"p99", s.p99}, {"max", s.max}, {"mean", s.mean}};
 }
 
+/// Counts by reason, those that are zero left out.
+template <class Number>
+Json by_reason(const std::array<Number, mesh::kNLimitReasons>& values) {
+  Json json = Json::object();
+  for (std::size_t r = 1; r < mesh::kNLimitReasons; ++r) {
+    if (values[r] > 0) json[std::string(mesh::kLimitReasonNames[r])] = values[r];
+  }
+  return json;
+}
+
+Json point_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+
 Json patch_json(const PatchReport& patch) {
   const quality::PatchCoverage& c = patch.coverage;
   Json json = {{"type", patch.type == PatchType::Wall ? "wall" : "nolayer"}, {"area", c.area}};
@@ -41,13 +53,37 @@ Json patch_json(const PatchReport& patch) {
   json["first_height"] = {{"asked", c.asked.first_height},
                           {"median", c.first_height.median},
                           {"p01", c.first_height.p01},
-                          {"p99", c.first_height.p99}};
+                          {"p99", c.first_height.p99},
+                          {"within_5_percent", c.first_height_met_percent},
+                          {"over_1_5_times", c.first_height_large_percent}};
   json["thickness"] = {{"asked", c.asked.total_thickness}, {"median", c.thickness.median}, {"p01", c.thickness.p01}};
-  json["limits"] = Json::object();
-  for (std::size_t r = 1; r < mesh::kNLimitReasons; ++r) {
-    if (c.limit_percent[r] > 0) json["limits"][std::string(mesh::kLimitReasonNames[r])] = c.limit_percent[r];
-  }
+  json["limits"] = by_reason(c.limit_percent);
+  json["limited_lines"] = by_reason(patch.limited_lines);
   json["min_coverage"] = patch.min_coverage;
+  return json;
+}
+
+Json limited_json(const Report& report) {
+  Json json = {{"asked", report.limited.n_lines},
+               {"limited", report.limited.n_limited()},
+               {"at_wall", report.limited.n_at_wall()},
+               {"reasons", Json::object()}};
+  for (std::size_t r = 1; r < mesh::kNLimitReasons; ++r) {
+    const quality::ReasonLines& lines = report.limited.by_reason[r];
+    if (lines.n_lines == 0) continue;
+    Json worst = Json::array();
+    for (const quality::LimitedVertex& v : lines.worst) {
+      worst.push_back({{"where", point_json(v.place)},
+                       {"patch", report.patches[v.patch.index()].name},
+                       {"vertex", v.vertex.index()},
+                       {"lines", v.n_lines},
+                       {"levels", v.levels},
+                       {"thickness", v.reached},
+                       {"asked", v.asked}});
+    }
+    json["reasons"][std::string(mesh::kLimitReasonNames[r])] = {
+        {"lines", lines.n_lines}, {"at_wall", lines.n_at_wall}, {"worst", std::move(worst)}};
+  }
   return json;
 }
 
@@ -66,12 +102,11 @@ Json surface_json(const SurfaceReport& s) {
 }
 
 Json forecast_json(const Forecast& f) {
-  const auto point = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
   return {{"cells", f.n_cells},
           {"points", f.n_points},
           {"memory_bytes", f.memory_bytes},
           {"disk_bytes", f.disk_bytes},
-          {"box", {{"low", point(f.box.low)}, {"high", point(f.box.high)}, {"diagonal", f.box.diagonal()}}}};
+          {"box", {{"low", point_json(f.box.low)}, {"high", point_json(f.box.high)}, {"diagonal", f.box.diagonal()}}}};
 }
 
 Json cells_json(const Report& report) {
@@ -146,6 +181,7 @@ std::string to_json(const Report& report) {
     json["points"] = report.points;
     json["patches"] = Json::object();
     for (const PatchReport& patch : report.patches) json["patches"][patch.name] = patch_json(patch);
+    json["limited_lines"] = limited_json(report);
     json["is_short_of_coverage"] = report.is_short_of_coverage();
     json["quality"] = quality_json(report.quality);
     json["certificate"] = certificate_json(report.certificate);

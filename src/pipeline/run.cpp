@@ -137,9 +137,12 @@ IdVector<FaceId, quality::FaceCoverage> measure(const layers::Wall& wall, const 
   auto coverage = quality::face_coverage(layers, wall.surface, requests,
                                          {growth.asked_thickness, growth.reached_thickness, growth.reason});
   const auto by_patch = quality::patch_coverage(wall.surface, coverage, requests, wall.is_wetted);
+  report.limited = quality::limited_lines(wall.surface, growth.front, growth.lines,
+                                          {growth.asked_thickness, growth.reached_thickness, growth.reason}, requests);
   for (const PatchId p : by_patch.ids()) {
     const PatchSettings& patch = patches[p.index()];
-    report.patches.push_back({wall.surface.patch_names[p], patch.type, patch.min_coverage, by_patch[p]});
+    report.patches.push_back(
+        {wall.surface.patch_names[p], patch.type, patch.min_coverage, by_patch[p], report.limited.by_patch[p]});
   }
   return coverage;
 }

@@ -14,6 +14,7 @@
 #include "nearwall/pipeline/case.h"
 #include "nearwall/pipeline/run.h"
 #include "program/cli.h"
+#include "program/coverage_table.h"
 #include "program/relative_lengths.h"
 #include "program/table.h"
 
@@ -32,45 +33,6 @@ struct RunArguments {
   bool is_resumed = false;
   bool has_relative_lengths = false;
 };
-
-constexpr double kLeastPercentShown = 0.05;
-
-/// "gap 3.1 %, curvature 0.4 %": what kept triangles from being full, the most frequent first.
-std::string reasons(const quality::PatchCoverage& coverage) {
-  std::vector<std::pair<double, std::size_t>> shares;
-  for (std::size_t r = 1; r < mesh::kNLimitReasons; ++r) {
-    if (coverage.limit_percent[r] >= kLeastPercentShown) shares.emplace_back(coverage.limit_percent[r], r);
-  }
-  std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::string out;
-  for (const auto& [percent, reason] : shares) {
-    out += fmt::format("{}{} {:.1f} %", out.empty() ? "" : ", ", mesh::kLimitReasonNames[reason], percent);
-  }
-  return out;
-}
-
-std::string patch_table(const Report& report) {
-  Table table({{"patch"},
-               {"area", true},
-               {"all layers %", true},
-               {"full %", true},
-               {"any %", true},
-               {"mean layers", true},
-               {"thickness", true},
-               {"limited by"}});
-  for (const PatchReport& patch : report.patches) {
-    const quality::PatchCoverage& c = patch.coverage;
-    const std::string area = fmt::format("{:.4g}", c.area);
-    if (patch.type != PatchType::Wall) {
-      table.add_row({patch.name, area, "-", "-", "-", "-", "-", "no layers asked"});
-      continue;
-    }
-    table.add_row({patch.name, area, fmt::format("{:.1f}", c.all_layers_percent), fmt::format("{:.1f}", c.full_percent),
-                   fmt::format("{:.1f}", c.any_percent), fmt::format("{:.1f} of {}", c.mean_layers, c.asked.count),
-                   fmt::format("{:.3g} of {:.3g}", c.thickness.median, c.asked.total_thickness), reasons(c)});
-  }
-  return table.to_text("  ");
-}
 
 std::string counted_cells(const Report& report) {
   constexpr std::array<const char*, mesh::kNCellTypes> kMany = {"tetrahedra", "pyramids", "wedges", "hexahedra"};
@@ -105,7 +67,9 @@ std::string below_coverage(const Report& report) {
 }
 
 void print_results(const Report& report, Console& console) {
-  console.print(fmt::format("\n{}\n{}\n", patch_table(report), verdict(report)));
+  console.print(fmt::format("\n{}\n", coverage_table(report, console.manner().is_verbose)));
+  if (const std::string at_wall = lines_at_wall(report); !at_wall.empty()) console.print(at_wall + "\n");
+  console.print(verdict(report) + "\n");
   std::string files;
   for (const std::string& file : report.files) files += (files.empty() ? "" : ", ") + file;
   console.print(fmt::format("in {}: {}\n", shown_path(report.output_directory), files));

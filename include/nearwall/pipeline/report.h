@@ -12,6 +12,7 @@
 #include "nearwall/pipeline/forecast.h"
 #include "nearwall/quality/coverage.h"
 #include "nearwall/quality/layer_quality.h"
+#include "nearwall/quality/limited_lines.h"
 
 namespace nearwall {
 
@@ -25,6 +26,7 @@ struct PatchReport {
   PatchType type = PatchType::Wall;
   double min_coverage = 0;  ///< [percent]
   quality::PatchCoverage coverage;
+  std::array<std::uint64_t, mesh::kNLimitReasons> limited_lines{};  ///< by LimitReason
   bool is_below_min_coverage() const { return type == PatchType::Wall && coverage.all_layers_percent < min_coverage; }
 };
 
@@ -62,6 +64,7 @@ struct Report {
   Forecast forecast;
   std::vector<PatchReport> patches;
   quality::LayerQuality quality;
+  quality::LimitedLines limited;
   certify::Certificate certificate;
   int rounds = 0;  ///< of certify and shrink
   int smoothing_iterations = 0;
@@ -81,6 +84,13 @@ struct Report {
   /// A part that was asked for is missing: coverage under min_coverage (exit code 4).
   bool is_short_of_coverage() const;
 };
+
+/// "curvature 3.1, gap 0.4": what keeps triangles from being full, with its share of the area [percent], the largest
+/// first. \param most  reasons named; what is left is told as "2 more"
+std::string reasons_in_words(const quality::PatchCoverage& coverage, std::size_t most);
+
+/// 99.96 as "99.9": what is not all must not read as all.
+std::string percent_in_words(double percent);
 
 /// report.json. Keys in a fixed order, numbers in the shortest form that reads back to the same double.
 std::string to_json(const Report& report);
