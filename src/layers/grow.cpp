@@ -1,6 +1,7 @@
 #include "nearwall/layers/grow.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -158,6 +159,39 @@ class Settling {
   std::vector<char> front_changed_;  // (n_front_faces) since the front was last looked at
 };
 
+/// Lengths of vertices that patches ask for: arrays that exist, values above zero wherever the patch is.
+void check_lengths(const Wall& wall, const GrowOptions& options) {
+  const mesh::SurfaceMesh& surface = wall.surface;
+  std::vector<std::vector<VertexLength>> lengths(options.schedules.size());
+  for (const PatchId p : options.schedules.ids()) {
+    const PatchSchedule& s = options.schedules[p];
+    if (!s.has_layers) continue;
+    if (s.is_until_isotropic && s.total_thickness) {
+      throw InputError(fmt::format("patch \"{}\": layers that stop when they are isotropic take no thickness",
+                                   surface.patch_names[p]));
+    }
+    for (const auto& length : {s.first_height, s.total_thickness}) {
+      if (!length) continue;
+      if (length->array && (*length->array >= surface.point_arrays.size() ||
+                            surface.point_arrays[*length->array].values.size() != surface.points.size())) {
+        throw InputError(fmt::format("patch \"{}\": no point array {} with a value for each vertex",
+                                     surface.patch_names[p], *length->array));
+      }
+      lengths[p.index()].push_back(*length);
+    }
+  }
+  for (const FaceId f : surface.faces.ids()) {
+    for (const VertexLength& length : lengths[surface.face_patch[f].index()]) {
+      for (const VertexId v : surface.faces[f]) {
+        const double value = length.factor * (length.array ? surface.point_arrays[*length.array].values[v] : 1.0);
+        if (value > 0 && std::isfinite(value)) continue;
+        throw InputError(fmt::format("patch \"{}\" asks for a length of {} at vertex {}; expected more than 0",
+                                     surface.patch_names[surface.face_patch[f]], value, v.index()));
+      }
+    }
+  }
+}
+
 void check_options(const Wall& wall, const GrowOptions& options) {
   if (!(options.multi_angle > 0 && options.multi_angle < geometry::kPi)) {
     throw InputError(fmt::format("multi_angle: expected an angle between 0 and 180 degrees, found {}",
@@ -183,18 +217,24 @@ void check_options(const Wall& wall, const GrowOptions& options) {
       throw InputError(fmt::format("max_level_step: expected 1 or more, found {}", *s.max_level_step));
     }
   }
+  check_lengths(wall, options);
 }
 
-void record(const VertexField& field, Growth& growth) {
+void record(const Stacks& stacks, const VertexField& field, Growth& growth) {
   const std::size_t n = growth.front.n_lines();
   growth.asked_thickness.resize(n);
+  growth.asked_levels.resize(n);
+  growth.asked_first_height.resize(n);
   growth.reached_thickness.resize(n);
   growth.reason.resize(n);
   for (const LineId line : growth.front.line_vertex.ids()) {
     const VertexId v = growth.front.line_vertex[line];
     growth.asked_thickness[line] = field.asked[v];
+    growth.asked_levels[line] = field.levels[v];
+    growth.asked_first_height[line] = stacks.first_height(field.request(v));
     growth.reached_thickness[line] = field.reached[v];
-    growth.reason[line] = field.reason[v];
+    const bool is_as_asked = field.reason[v] == mesh::LimitReason::None;
+    growth.reason[line] = is_as_asked && field.ends_isotropic[v] ? mesh::LimitReason::Isotropic : field.reason[v];
   }
 }
 
@@ -206,6 +246,11 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall) {
     if (!wall.is_wetted[f]) component[f] = ComponentId();
   }
   return component;
+}
+
+IdVector<VertexId, Level> asked_levels(const Wall& wall, const GrowOptions& options) {
+  check_options(wall, options);
+  return ask(wall, options, Stacks(options.schedules)).levels;
 }
 
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress) {
@@ -231,7 +276,7 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   growth.lines = make_lines(wall, plan, stacks, field);
   Settling(wall, plan, stacks, options.patient_rounds, field, growth).run(progress);
   growth.front = std::move(plan.front);
-  record(field, growth);
+  record(stacks, field, growth);
   progress.end_stage();
   return growth;
 }

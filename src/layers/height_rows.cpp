@@ -25,17 +25,6 @@ std::vector<double> distances(const std::vector<double>& heights, double exponen
 
 }  // namespace
 
-mesh::Heights ScheduleRows::fit(double limit) const {
-  const auto row = [&](std::size_t r) { return static_cast<std::uint32_t>(first + r); };
-  if (limit >= thickness.front()) return {row(0), 1.0, 0.0};
-  const std::size_t last = thickness.size() - 1;
-  if (limit <= thickness[last]) return {row(last), limit / thickness[last], 0.0};
-  const auto above = std::partition_point(thickness.begin(), thickness.end(), [&](double t) { return t >= limit; });
-  const auto r = static_cast<std::size_t>(above - thickness.begin()) - 1;
-  const double weight = (limit - thickness[r + 1]) / (thickness[r] - thickness[r + 1]);
-  return {row(r), weight, 1.0 - weight};
-}
-
 HeightRows::HeightRows(const std::vector<std::vector<double>>& schedules) {
   for (std::size_t i = 0; i < schedules.size(); ++i) {
     const auto same = std::find(schedules.begin(), schedules.begin() + static_cast<std::ptrdiff_t>(i), schedules[i]);
@@ -50,18 +39,33 @@ HeightRows::HeightRows(const std::vector<std::vector<double>>& schedules) {
 }
 
 void HeightRows::add_rows(const std::vector<double>& heights) {
-  ScheduleRows rows;
-  rows.first = distances_.size();
+  Rows rows;
+  rows.begin = distances_.size();
   rows.n_levels = static_cast<Level>(heights.size());
   if (!heights.empty()) {
     for (int k = kRowsPerSchedule; k >= 0; --k) {
       std::vector<double> d = distances(heights, double(k) / kRowsPerSchedule);
-      if (!rows.thickness.empty() && d.back() >= rows.thickness.back()) break;  // uniform already
-      rows.thickness.push_back(d.back());
+      if (distances_.size() > rows.begin && d.back() >= distances_.back().back()) break;  // uniform already
       distances_.push_back(std::move(d));
     }
   }
-  rows_.push_back(std::move(rows));
+  rows.end = distances_.size();
+  rows_.push_back(rows);
+}
+
+mesh::Heights HeightRows::fit(std::size_t schedule, double limit, Level level) const {
+  const Rows& rows = rows_of(schedule);
+  if (limit >= distances_[rows.begin][level]) return {static_cast<std::uint32_t>(rows.begin), 1.0, 0.0};
+  const std::size_t last = rows.end - 1;
+  if (limit <= distances_[last][level]) {
+    return {static_cast<std::uint32_t>(last), limit / distances_[last][level], 0.0};
+  }
+  const auto begin = distances_.begin() + static_cast<std::ptrdiff_t>(rows.begin);
+  const auto end = distances_.begin() + static_cast<std::ptrdiff_t>(rows.end);
+  const auto below = std::partition_point(begin, end, [&](const auto& row) { return row[level] >= limit; });
+  const auto above = below - 1;
+  const double weight = (limit - (*below)[level]) / ((*above)[level] - (*below)[level]);
+  return {static_cast<std::uint32_t>(above - distances_.begin()), weight, 1.0 - weight};
 }
 
 mesh::HeightTable HeightRows::table() const {

@@ -19,7 +19,7 @@ mesh::LimitReason reason_or(mesh::LimitReason known, mesh::LimitReason otherwise
 void update_vertex(const LinePlan& plan, const Stacks& stacks, VertexId v, double finest, VertexField& field,
                    mesh::Lines& lines) {
   const mesh::Front& front = plan.front;
-  Stack stack = stacks.fit(field.schedule[v], field.thickness[v], field.max_level[v]);
+  Stack stack = stacks.fit(field.request(v), field.thickness[v], field.max_level[v]);
   if (stack.end > 0) {
     const mesh::Heights& h = stack.heights;
     const double first = (h.weight_0 + h.weight_1) * lines.table.row(h.row)[1];

@@ -7,6 +7,15 @@
 
 namespace nearwall::layers {
 
+/// What a line is asked for: the stack of a patch, all its heights times a scale, up to a level, and no thicker than so
+/// much: what is too thick loses growth before it loses first height.
+struct StackRequest {
+  std::uint32_t patch = 0;
+  double scale = 1;
+  double thickness = 0;  ///< up to the last level asked for; 0: no layers
+  Level levels = 0;
+};
+
 /// What a line gets that may be so and so thick.
 struct Stack {
   mesh::Heights heights;
@@ -20,13 +29,17 @@ class Stacks {
  public:
   explicit Stacks(const IdVector<PatchId, PatchSchedule>& schedules);
 
-  Level n_levels(std::uint32_t patch) const { return rows_.schedule(patch).n_levels; }
-  double asked_thickness(std::uint32_t patch) const { return rows_.schedule(patch).asked_thickness(); }
+  Level n_levels(std::uint32_t patch) const { return rows_.n_levels(patch); }
+  /// Of the patch's own stack, up to a level.
+  double thickness(std::uint32_t patch, Level level) const { return rows_.asked_thickness(patch, level); }
   const mesh::HeightTable& table() const { return table_; }
 
   /// \param limit      thickness allowed
   /// \param max_level  last level allowed; heights do not depend on it
-  Stack fit(std::uint32_t patch, double limit, Level max_level) const;
+  Stack fit(const StackRequest& asked, double limit, Level max_level) const;
+
+  /// Height of the first layer of a line that gets all it is asked for; 0 where nothing is asked.
+  double first_height(const StackRequest& asked) const;
 
   /// Levels by which a line may rise above a neighbour that moves.
   int level_step(std::uint32_t patch) const { return rules_[patch].level_step; }
@@ -41,6 +54,7 @@ class Stacks {
   };
 
   double distance(const mesh::Heights& heights, Level level) const;
+  mesh::Heights heights(const StackRequest& asked, double thickness) const;
 
   HeightRows rows_;
   mesh::HeightTable table_;

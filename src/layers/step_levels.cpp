@@ -10,7 +10,7 @@ std::vector<VertexId> step_levels(const Wall& wall, const Stacks& stacks, Vertex
                                   const std::vector<VertexId>& seeds) {
   if (!stacks.has_level_steps()) return {};
   const auto end_of = [&](VertexId v) {
-    return stacks.fit(field.schedule[v], field.thickness[v], field.max_level[v]).end;
+    return stacks.fit(field.request(v), field.thickness[v], field.max_level[v]).end;
   };
   using LevelEntry = std::pair<Level, VertexId>;
   std::priority_queue<LevelEntry, std::vector<LevelEntry>, std::greater<>> queue;

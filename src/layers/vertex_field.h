@@ -12,11 +12,16 @@ namespace nearwall::layers {
 /// line that leans is longer by its stretch.
 struct VertexField {
   IdVector<VertexId, std::uint32_t> schedule;    ///< patch whose stack it has
+  IdVector<VertexId, double> scale;              ///< of that stack's heights at this vertex
   IdVector<VertexId, double> asked;              ///< thickness asked for; 0 where there is no layer to be
+  IdVector<VertexId, Level> levels;              ///< last level asked for
+  IdVector<VertexId, char> ends_isotropic;       ///< 1: that is where its layer is as high as its triangles are wide
   IdVector<VertexId, double> thickness;          ///< allowed now, <= asked; 0: blocked
   IdVector<VertexId, Level> max_level;           ///< last level allowed now
   IdVector<VertexId, double> reached;            ///< thickness of the stack that is laid
   IdVector<VertexId, mesh::LimitReason> reason;  ///< of the last limit that bit
+
+  StackRequest request(VertexId v) const { return {schedule[v], scale[v], asked[v], levels[v]}; }
 
   /// Lowers the thickness to `limit` if that is less; true if it was.
   bool lower(VertexId v, double limit, mesh::LimitReason why) {
@@ -28,7 +33,8 @@ struct VertexField {
 };
 
 /// Asks each vertex for the schedule of its patch, between patches for the one with fewer layers, then the thinner one.
-/// Vertices at the edge of a patch without layers are blocked; on patches without layers and on components that the
+/// A patch may ask each vertex for its own first height, thickness or last level. Vertices at the edge of a patch
+/// without layers are blocked; on patches without layers and on components that the
 /// fluid cannot reach nothing is asked.
 VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stacks);
 

@@ -24,7 +24,7 @@ class Fit : public testing::Test {
 
 TEST_F(Fit, GivesWhatIsAskedWhereItFits) {
   for (const double limit : {1.0, 5.0}) {
-    const mesh::Heights h = rows_.schedule(0).fit(limit);
+    const mesh::Heights h = rows_.fit(0, limit, 20);
     double sum = 0;
     for (std::size_t j = 0; j < heights_.size(); ++j) {
       sum += heights_[j];
@@ -36,7 +36,7 @@ TEST_F(Fit, GivesWhatIsAskedWhereItFits) {
 TEST_F(Fit, ReachesTheLimitExactlyAndKeepsTheFirstHeight) {
   const double uniform = 20 * heights_.front();
   for (double limit = 0.99; limit > uniform; limit -= 0.037) {
-    const mesh::Heights h = rows_.schedule(0).fit(limit);
+    const mesh::Heights h = rows_.fit(0, limit, 20);
     EXPECT_NEAR(thickness(table_, h, 20), limit, 1e-14);
     EXPECT_NEAR(thickness(table_, h, 1), heights_.front(), 1e-16);
     double last = 0;
@@ -51,23 +51,36 @@ TEST_F(Fit, ReachesTheLimitExactlyAndKeepsTheFirstHeight) {
 
 TEST_F(Fit, ScalesTheUniformStackWhereEvenThatIsTooThick) {
   const double limit = heights_.front();
-  const mesh::Heights h = rows_.schedule(0).fit(limit);
+  const mesh::Heights h = rows_.fit(0, limit, 20);
   EXPECT_NEAR(thickness(table_, h, 20), limit, 1e-16);
   EXPECT_NEAR(thickness(table_, h, 1), limit / 20, 1e-16);
 }
 
+TEST_F(Fit, OfALowerLevelReachesTheLimitThere) {
+  // Eight layers, the first of 1.2 % of the whole stack of twenty: 8.8 % of it.
+  const double asked = rows_.asked_thickness(0, 8), uniform = 8 * heights_.front();
+  for (double share = 0.97; share > 0; share -= 0.08) {
+    const double limit = uniform + share * (asked - uniform);
+    const mesh::Heights h = rows_.fit(0, limit, 8);
+    EXPECT_NEAR(thickness(table_, h, 8), limit, 1e-15);
+    EXPECT_NEAR(thickness(table_, h, 1), heights_.front(), 1e-16);
+  }
+  EXPECT_NEAR(thickness(table_, rows_.fit(0, 0.5 * uniform, 8), 8), 0.5 * uniform, 1e-16);
+  EXPECT_EQ(rows_.fit(0, asked, 8).weight_1, 0);
+}
+
 TEST(HeightRows, SharesTheRowsOfEqualSchedules) {
   const HeightRows rows({{1, 2, 3}, {1, 1}, {1, 2, 3}, {}});
-  EXPECT_EQ(rows.schedule(0).first, rows.schedule(2).first);
-  EXPECT_NE(rows.schedule(0).first, rows.schedule(1).first);
-  EXPECT_EQ(rows.schedule(1).n_levels, 2);
-  EXPECT_EQ(rows.schedule(3).asked_thickness(), 0);
+  EXPECT_EQ(rows.first_row(0), rows.first_row(2));
+  EXPECT_NE(rows.first_row(0), rows.first_row(1));
+  EXPECT_EQ(rows.n_levels(1), 2);
+  EXPECT_EQ(rows.n_levels(3), 0);
   EXPECT_EQ(rows.table().n_levels(), 3);
 }
 
 TEST(HeightRows, KeepsLayersThinnerThanTheFirst) {
   const HeightRows rows({{2, 1, 4}});
-  EXPECT_DOUBLE_EQ(rows.schedule(0).thickness.back(), 2 + 1 + 2);
+  EXPECT_DOUBLE_EQ(rows.uniform_thickness(0, 3), 2 + 1 + 2);
 }
 
 }  // namespace

@@ -20,7 +20,10 @@ IdVector<PatchId, PatchSchedule> schedules(OnConflict on_conflict, std::optional
   return IdVector<PatchId, PatchSchedule>(1, schedule);
 }
 
-Stack fit(const Stacks& stacks, double limit) { return stacks.fit(kPatch, limit, kCount); }
+/// The patch's own stack.
+constexpr StackRequest kAsked = {kPatch, 1.0, 1.0, kCount};
+
+Stack fit(const Stacks& stacks, double limit) { return stacks.fit(kAsked, limit, kCount); }
 
 /// Distance of a level of a stack from the wall.
 double distance_of(const Stacks& stacks, const Stack& stack, Level level) {
@@ -94,11 +97,52 @@ TEST(Stacks, FitsWhatItFittedOnceMore) {
 TEST(Stacks, CutsOffAtALevelWithoutAnotherHeight) {
   for (const auto on_conflict : {OnConflict::Compress, OnConflict::Stair}) {
     const Stacks stacks(schedules(on_conflict));
-    const Stack whole = fit(stacks, 0.7), cut = stacks.fit(kPatch, 0.7, 3);
+    const Stack whole = fit(stacks, 0.7), cut = stacks.fit(kAsked, 0.7, 3);
     EXPECT_EQ(cut.end, 3);
     for (Level j = 1; j <= 3; ++j) EXPECT_EQ(distance_of(stacks, cut, j), distance_of(stacks, whole, j));
     EXPECT_EQ(cut.thickness, distance_of(stacks, cut, 3));
   }
+}
+
+TEST(Stacks, OfAVertexAreTheirPatchesScaled) {
+  for (const auto on_conflict : {OnConflict::Auto, OnConflict::Compress, OnConflict::Stair}) {
+    const Stacks stacks(schedules(on_conflict));
+    const StackRequest threefold = {kPatch, 3.0, 3.0, kCount};
+    for (double limit = 1.1; limit > 1e-4; limit *= 0.93) {
+      const Stack one = fit(stacks, limit), three = stacks.fit(threefold, 3 * limit, kCount);
+      EXPECT_EQ(one.end, three.end);
+      for (Level j = 1; j <= one.end; ++j) {
+        EXPECT_NEAR(distance_of(stacks, three, j), 3 * distance_of(stacks, one, j), 1e-14 * limit);
+      }
+    }
+  }
+}
+
+TEST(Stacks, ThinnerThanTheirPatchesLoseGrowthBeforeFirstHeight) {
+  const double first = growing_for_tests::geometric(1.0, 1.2, kCount).front();
+  const Stacks stacks(schedules(OnConflict::Stair));
+  for (const double thickness : {0.9, 0.6, 0.2}) {
+    const StackRequest asked = {kPatch, 1.0, thickness, kCount};
+    const Stack stack = stacks.fit(asked, thickness, kCount);
+    EXPECT_EQ(stack.end, kCount);
+    EXPECT_NEAR(distance_of(stacks, stack, kCount), thickness, 1e-15);
+    EXPECT_NEAR(distance_of(stacks, stack, 1), std::min(first, thickness / kCount), 1e-16);
+    EXPECT_NEAR(stacks.first_height(asked), distance_of(stacks, stack, 1), 1e-16);
+  }
+}
+
+TEST(Stacks, UpToALowerLevelNeedOnlyTheRoomForThat) {
+  const auto heights = growing_for_tests::geometric(1.0, 1.2, kCount);
+  const double thickness = heights[0] + heights[1] + heights[2];
+  const Stacks stacks(schedules(OnConflict::Auto));
+  const StackRequest asked = {kPatch, 1.0, thickness, 3};
+  const Stack whole = stacks.fit(asked, 1.0, kCount), squeezed = stacks.fit(asked, 0.97 * thickness, kCount);
+  EXPECT_EQ(whole.end, 3);
+  EXPECT_EQ(whole.thickness, thickness);
+  EXPECT_NEAR(distance_of(stacks, whole, 3), thickness, 1e-15);
+  EXPECT_EQ(squeezed.end, 3);
+  EXPECT_NEAR(distance_of(stacks, squeezed, 3), 0.97 * thickness, 1e-15);
+  EXPECT_NEAR(distance_of(stacks, squeezed, 1), heights[0], 1e-16) << "the first height is kept";
 }
 
 }  // namespace

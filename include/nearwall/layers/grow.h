@@ -19,12 +19,24 @@ namespace nearwall::layers {
 /// What happens to a line that cannot have all its layers: they become thinner, or fewer; Auto: docs/layers.md.
 enum class OnConflict { Auto, Compress, Stair };
 
-/// What is asked for on one patch.
+/// A length at each vertex.
+struct VertexLength {
+  std::optional<std::size_t> array;  ///< point array of the wall, times the factor; nullopt: the factor everywhere
+  double factor = 1;
+};
+
+/// What is asked for on one patch. The stack of a vertex is that of the patch, scaled to the vertex's own first height
+/// or total thickness; with both of them its growth is lowered, too: docs/theory/layers.md, section 1.
 struct PatchSchedule {
   bool has_layers = true;       ///< false: nolayer, or a component that the fluid cannot reach
   std::vector<double> heights;  ///< height of each layer from the wall up, > 0; empty if there are no layers
   OnConflict on_conflict = OnConflict::Auto;
   std::optional<int> max_level_step;  ///< levels by which a line may end above a neighbour that moves; nullopt: any
+  std::optional<VertexLength> first_height;     ///< of each vertex, > 0; nullopt: what follows from the thickness
+  std::optional<VertexLength> total_thickness;  ///< of each vertex, > 0; nullopt: what follows from the first height
+  /// Lines stop where their layer is as high as their triangles are wide, isotropic.h; `heights` are as many as they
+  /// may have at most, and max_level_step is 1 unless it is given.
+  bool is_until_isotropic = false;
 };
 
 struct GrowOptions {
@@ -49,10 +61,12 @@ struct Growth {
   mesh::Lines lines;
   /// Before smoothing: what the vertex sees; of several groups of faces, the one that is seen worst.
   IdVector<VertexId, surface::PointNormal> normals;
-  IdVector<LineId, double> asked_thickness;    ///< normal to the wall [length]; 0 where nothing is asked
-  IdVector<LineId, double> reached_thickness;  ///< normal to the wall [length]
-  IdVector<LineId, mesh::LimitReason> reason;  ///< None where all was reached
-  int rounds = 0;                              ///< of certify and shrink
+  IdVector<LineId, double> asked_thickness;     ///< normal to the wall [length]; 0 where nothing is asked
+  IdVector<LineId, Level> asked_levels;         ///< layers; 0 where nothing is asked
+  IdVector<LineId, double> asked_first_height;  ///< normal to the wall [length]; 0 where nothing is asked
+  IdVector<LineId, double> reached_thickness;   ///< normal to the wall [length]
+  IdVector<LineId, mesh::LimitReason> reason;   ///< None where all was reached; Isotropic: all, and that ends there
+  int rounds = 0;                               ///< of certify and shrink
   int smoothing_iterations = 0;
 };
 
@@ -71,11 +85,15 @@ IdVector<FaceId, ComponentId> wetted_components(const Wall& wall);
 /// Virtual faces that fans will have at most, nearly always: for forecasts. Cost: a part of that of normals.
 std::size_t forecast_fan_faces(const Wall& wall, const GrowOptions& options);
 
+/// Levels that each vertex is asked for: for forecasts. \returns (n_vertices). \throws InputError as `grow`
+IdVector<VertexId, Level> asked_levels(const Wall& wall, const GrowOptions& options);
+
 /// Grows certified layers: directions, heights, limits; then every cell and the whole front are certified and what
 /// fails is shrunk, until nothing fails. Ends for every admitted surface. Source: docs/theory/layers.md. Memory:
 /// O(n_vertices + n_faces), whatever the number of layers.
-/// \throws InputError unless each patch has a schedule, and those with layers 1 to 65534 heights above zero; if an
-///         angle, a step or a number of rounds is out of range
+/// \throws InputError unless each patch has a schedule, and those with layers 1 to 65534 heights above zero, and
+///         lengths of vertices that are finite and above zero; if an angle, a step or a number of rounds is out of
+///         range
 Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress = silent_progress());
 
 }  // namespace nearwall::layers
