@@ -42,17 +42,23 @@ FaceCoverage cover(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
   FaceCoverage face;
   face.layers = request.count;
   face.has_any = layers.column_end(column) > layers.column_offset(column);
-  std::array<double, 3> first_heights{}, thicknesses{}, asked{};
+  std::array<double, 3> first_heights{}, thicknesses{}, asked{}, asked_first{};
   double smallest_fraction = 2;
+  bool has_all_lines = request.count > 0, ends_isotropic = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const LineId line = layers.front().faces[column].lines[k];
     const LineShare s = share_of(layers.lines(), line, normal, outcome);
     face.layers = std::min(face.layers, s.end);
     first_heights[k] = s.first_height;
     thicknesses[k] = s.thickness;
-    asked[k] = outcome.asked_thickness[line] > 0 ? outcome.asked_thickness[line] : request.total_thickness;
+    const bool is_asked = outcome.asked_thickness[line] > 0;
+    asked[k] = is_asked ? outcome.asked_thickness[line] : request.total_thickness;
+    asked_first[k] = is_asked && request.has_own_heights ? (*outcome.asked_first_height)[line] : request.first_height;
+    const Level levels = is_asked && request.has_own_counts ? (*outcome.asked_levels)[line] : request.count;
+    has_all_lines = has_all_lines && s.end >= levels;
     const mesh::LimitReason reason = outcome.reason[line];
-    if (reason == mesh::LimitReason::None) continue;
+    if (reason == mesh::LimitReason::Isotropic) ends_isotropic = true;
+    if (reason == mesh::LimitReason::None || reason == mesh::LimitReason::Isotropic) continue;
     // Ties by the number of the reason: the answer must not depend on which corner comes first.
     if (s.fraction < smallest_fraction || (s.fraction == smallest_fraction && reason < face.reason)) {
       smallest_fraction = s.fraction;
@@ -60,11 +66,13 @@ FaceCoverage cover(const mesh::LayerMesh& layers, const mesh::SurfaceMesh& wall,
     }
   }
   const auto mean = [](const std::array<double, 3>& v) { return sum3(v[0], v[1], v[2]) / 3; };
-  face.has_all_layers = request.count > 0 && face.layers == request.count;
+  face.has_all_layers = has_all_lines;
   face.first_height = mean(first_heights);
   face.thickness = mean(thicknesses);
-  face.is_full = face.has_all_layers && face.thickness >= kFullThickness * mean(asked);
-  if (face.is_full) face.reason = mesh::LimitReason::None;
+  face.asked_first_height = mean(asked_first);
+  face.asked_thickness = mean(asked);
+  face.is_full = face.has_all_layers && face.thickness >= kFullThickness * face.asked_thickness;
+  if (face.is_full) face.reason = ends_isotropic ? mesh::LimitReason::Isotropic : mesh::LimitReason::None;
   if (!face.is_full && face.reason == mesh::LimitReason::None) {
     // No line was limited: it shares a line with a patch of fewer layers, or its lines lean so far that its own are
     // thin.
@@ -77,7 +85,7 @@ PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& m
                      const IdVector<FaceId, FaceCoverage>& faces, const PatchRequest& request) {
   geometry::CompensatedSum total, full, all, any, layers, met, large;
   std::array<geometry::CompensatedSum, mesh::kNLimitReasons> limited;
-  std::vector<double> areas, first_heights, thicknesses;
+  std::vector<double> areas, first_heights, thicknesses, asked_first_heights, asked_thicknesses;
   for (const FaceId f : members) {
     const auto [a, b, c] = wall.triangle(f);
     const double area = geometry::triangle_area(a, b, c);
@@ -87,14 +95,17 @@ PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& m
     if (face.has_all_layers) all.add(area);
     if (face.has_any) any.add(area);
     layers.add(area * face.layers);
-    if (std::abs(face.first_height - request.first_height) <= kFirstHeightTolerance * request.first_height) {
-      met.add(area);
+    const double asked = face.asked_first_height > 0 ? face.asked_first_height : request.first_height;
+    if (std::abs(face.first_height - asked) <= kFirstHeightTolerance * asked) met.add(area);
+    if (face.first_height > kLargeFirstHeight * asked) large.add(area);
+    if (!face.is_full && face.reason != mesh::LimitReason::None) {
+      limited[static_cast<std::size_t>(face.reason)].add(area);
     }
-    if (face.first_height > kLargeFirstHeight * request.first_height) large.add(area);
-    if (face.reason != mesh::LimitReason::None) limited[static_cast<std::size_t>(face.reason)].add(area);
     areas.push_back(area);
     first_heights.push_back(face.first_height);
     thicknesses.push_back(face.thickness);
+    asked_first_heights.push_back(face.asked_first_height);
+    asked_thicknesses.push_back(face.asked_thickness);
   }
   PatchCoverage patch;
   patch.asked = request;
@@ -112,6 +123,10 @@ PatchCoverage sum_up(const mesh::SurfaceMesh& wall, const std::vector<FaceId>& m
   for (std::size_t r = 0; r < limited.size(); ++r) patch.limit_percent[r] = percent(limited[r]);
   patch.first_height = weighted_statistics(first_heights, areas, true);
   patch.thickness = weighted_statistics(thicknesses, areas, true);
+  patch.asked_first_height = weighted_statistics(asked_first_heights, areas, true);
+  patch.asked_thickness = weighted_statistics(asked_thicknesses, areas, true);
+  if (request.has_own_heights) patch.asked.first_height = patch.asked_first_height.median;
+  if (request.has_own_heights || request.has_own_counts) patch.asked.total_thickness = patch.asked_thickness.median;
   return patch;
 }
 
@@ -122,6 +137,11 @@ IdVector<FaceId, FaceCoverage> face_coverage(const mesh::LayerMesh& layers, cons
                                              const LineOutcome& outcome) {
   expect(requests.size() == wall.patch_names.size(), "one request for each patch");
   expect(outcome.reason.size() == layers.lines().size(), "one outcome for each line");
+  for (const PatchRequest& request : requests) {
+    expect(
+        (!request.has_own_heights || outcome.asked_first_height) && (!request.has_own_counts || outcome.asked_levels),
+        "what was asked for line by line");
+  }
   IdVector<FaceId, FaceCoverage> faces(wall.faces.size());
   parallel_for(faces.size(), [&](std::size_t i) {
     const PatchRequest& request = requests[wall.face_patch[FaceId(i)]];

@@ -60,6 +60,7 @@ LimitedLines limited_lines(const mesh::SurfaceMesh& wall, const mesh::Front& fro
     all.n_lines += n_lines;
     const auto reason = static_cast<std::size_t>(outcome.reason[line]);
     if (outcome.reason[line] == mesh::LimitReason::None) continue;
+    if (outcome.reason[line] == mesh::LimitReason::Isotropic) continue;  // it has all that was asked
     const mesh::Window window = lines.windows[line];
     const Level levels = window.moves() ? window.end : Level{0};
     ReasonLines& of_reason = all.by_reason[reason];

@@ -133,6 +133,65 @@ TEST(Coverage, GivesNoReasonWhereNothingIsAsked) {
   }
 }
 
+/// As growing leaves lines that were to have two layers of three, at (2, 0) and (0, 2) alone.
+struct IsotropicPlate : PlateLayers {
+  IdVector<LineId, Level> levels{4, Level{3}};
+  IdVector<LineId, double> first_heights{4, 1.0};
+
+  IsotropicPlate() {
+    for (const std::size_t i : {1, 3}) {
+      limit(i, 2, LimitReason::Isotropic);
+      levels[LineId(i)] = 2;
+      asked_thickness[LineId(i)] = reached_thickness[LineId(i)];
+    }
+  }
+  IdVector<FaceId, FaceCoverage> faces(const PatchRequest& request) const {
+    return face_coverage({front, lines}, wall, IdVector<PatchId, PatchRequest>(1, request),
+                         {asked_thickness, reached_thickness, reason, &levels, &first_heights});
+  }
+  PatchCoverage coverage(const PatchRequest& request) const {
+    return patch_coverage(wall, faces(request), IdVector<PatchId, PatchRequest>(1, request),
+                          IdVector<FaceId, char>(2, 1))[PatchId(0)];
+  }
+};
+
+TEST(Coverage, OfLinesThatEndWhereAskedIsFull) {
+  IsotropicPlate plate;
+  const PatchRequest request{true, 1, 7, 3, false, true};
+  for (const FaceCoverage& face : plate.faces(request)) {
+    EXPECT_TRUE(face.has_all_layers && face.is_full);
+    EXPECT_EQ(face.layers, 2);
+    EXPECT_EQ(face.reason, LimitReason::Isotropic);
+    EXPECT_EQ(face.asked_thickness, (7 + 7 + 3) / 3.0);
+  }
+  const PatchCoverage c = plate.coverage(request);
+  EXPECT_EQ(c.full_percent, 100);
+  EXPECT_EQ(limited_by(c, LimitReason::Isotropic), 0) << "nothing is missing";
+  EXPECT_EQ(c.asked.total_thickness, (7 + 7 + 3) / 3.0);
+  EXPECT_EQ(c.asked.count, 3) << "the most";
+
+  plate.limit(3, 1, LimitReason::Gap);
+  EXPECT_EQ(plate.coverage(request).all_layers_percent, 50);
+  EXPECT_EQ(limited_by(plate.coverage(request), LimitReason::Gap), 50);
+}
+
+TEST(Coverage, ComparesFirstHeightsWithTheLinesOwn) {
+  PlateLayers plate;
+  const IdVector<LineId, double> first_heights(std::vector<double>{1, 0.5, 1, 1});
+  const PatchRequest request{true, 9, 9, 3, true, false};
+  const IdVector<PatchId, PatchRequest> all(1, request);
+  const auto faces =
+      face_coverage({plate.front, plate.lines}, plate.wall, all,
+                    {plate.asked_thickness, plate.reached_thickness, plate.reason, nullptr, &first_heights});
+  EXPECT_EQ(faces[FaceId(0)].asked_first_height, 2.5 / 3);
+  EXPECT_EQ(faces[FaceId(1)].asked_first_height, 1);
+  const PatchCoverage c = patch_coverage(plate.wall, faces, all, IdVector<FaceId, char>(2, 1))[PatchId(0)];
+  EXPECT_EQ(c.first_height_met_percent, 50);
+  EXPECT_EQ(c.asked_first_height.min, 2.5 / 3);
+  EXPECT_EQ(c.asked_first_height.max, 1);
+  EXPECT_EQ(c.full_percent, 100);
+}
+
 TEST(Coverage, OfAPatchWithoutLayersIsItsArea) {
   const PlateLayers p;
   const IdVector<PatchId, PatchRequest> none(1, PatchRequest{false, 0, 0, 0});
