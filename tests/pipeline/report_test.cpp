@@ -53,6 +53,7 @@ TEST(ReportJson, HasTheKeysThatOthersRelyOn) {
   EXPECT_TRUE(wing.contains("mean_layers"));
   EXPECT_EQ(wing["first_height"]["asked"], 1e-5);
   for (const char* key : {"median", "p01", "p99"}) EXPECT_TRUE(wing["first_height"].contains(key));
+  for (const char* key : {"within_5_percent", "over_1_5_times"}) EXPECT_TRUE(wing["first_height"].contains(key));
   for (const char* key : {"asked", "median", "p01"}) EXPECT_TRUE(wing["thickness"].contains(key));
   EXPECT_EQ(wing["limits"], Json({{"gap", 7.5}, {"visibility", 2.5}}));
   EXPECT_EQ(j["patches"]["tip"]["type"], "nolayer");
@@ -66,6 +67,20 @@ TEST(ReportJson, HasTheKeysThatOthersRelyOn) {
   EXPECT_TRUE(j.contains("peak_memory_bytes"));
   EXPECT_EQ(j["input"], Json({{"file", "wing.stl"}, {"sha256", "abc"}}));
   EXPECT_EQ(j["version"], "1.2.3");
+}
+
+TEST(ReportJson, TellsWhereLinesAreLimited) {
+  Report r = sample();
+  EXPECT_EQ(Json::parse(to_json(r))["limited_lines"]["reasons"], Json::object());
+  r.limited.n_lines = 50;
+  quality::ReasonLines& gap = r.limited.by_reason[static_cast<std::size_t>(mesh::LimitReason::Gap)];
+  gap = {7, 2, {{VertexId(3), PatchId(0), {1, 2, 3}, 2, 4, 0.25, 0.5}}};
+  r.patches[0].limited_lines[static_cast<std::size_t>(mesh::LimitReason::Gap)] = 7;
+  const Json j = Json::parse(to_json(r));
+  EXPECT_EQ(j["limited_lines"], Json::parse(R"({"asked": 50, "limited": 7, "at_wall": 2, "reasons": {"gap": {
+      "lines": 7, "at_wall": 2, "worst": [{"where": [1, 2, 3], "patch": "wing", "vertex": 3, "lines": 2, "levels": 4,
+      "thickness": 0.25, "asked": 0.5}]}}})"));
+  EXPECT_EQ(j["patches"]["wing"]["limited_lines"], Json({{"gap", 7}}));
 }
 
 TEST(ReportJson, EchoesEveryValueInForce) {
@@ -95,6 +110,23 @@ TEST(ReportJson, SurvivesNamesThatAreNoText) {
   r.patches[0].name = "\xff\xfe";
   EXPECT_NO_THROW(to_json(r));
   EXPECT_NO_THROW(to_html(r, "."));
+}
+
+TEST(ReasonsInWords, NameTheLargestFirst) {
+  quality::PatchCoverage c;
+  EXPECT_EQ(reasons_in_words(c, 3), "");
+  c.limit_percent[static_cast<std::size_t>(mesh::LimitReason::Curvature)] = 0.4;
+  c.limit_percent[static_cast<std::size_t>(mesh::LimitReason::Gap)] = 3.14;
+  c.limit_percent[static_cast<std::size_t>(mesh::LimitReason::Quality)] = 0.01;
+  EXPECT_EQ(reasons_in_words(c, 3), "gap 3.1, curvature 0.4");
+  EXPECT_EQ(reasons_in_words(c, 1), "gap 3.1, 1 more");
+}
+
+TEST(PercentInWords, NeverRoundsToAll) {
+  EXPECT_EQ(percent_in_words(100), "100.0");
+  EXPECT_EQ(percent_in_words(99.999), "99.9");
+  EXPECT_EQ(percent_in_words(99.94), "99.9");
+  EXPECT_EQ(percent_in_words(0), "0.0");
 }
 
 TEST(Report, IsShortWhereAPatchIsUnderItsMinimum) {
