@@ -30,7 +30,7 @@ std::string reasons_in_words(const quality::PatchCoverage& coverage, std::size_t
     out += fmt::format("{}{} {}", out.empty() ? "" : ", ", mesh::kLimitReasonNames[shares[i].second],
                        percent_in_words(shares[i].first));
   }
-  if (shares.size() > most) out += fmt::format(", {} more", shares.size() - most);
+  if (shares.size() > most) out += ", …";
   return out;
 }
 

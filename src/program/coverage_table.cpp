@@ -13,7 +13,7 @@ namespace nearwall::program {
 namespace {
 
 constexpr std::size_t kMostRows = 20;
-constexpr std::size_t kLongestName = 22;
+constexpr std::size_t kLongestName = 18;
 constexpr std::size_t kMostReasons = 2;
 constexpr double kPercent = 100;
 
@@ -51,11 +51,14 @@ quality::PatchCoverage put_together(const std::vector<const PatchReport*>& patch
 }
 
 /// Cuts between characters of UTF-8.
-std::string shortened(std::string name, std::size_t longest) {
+std::string shortened(const std::string& name, std::size_t longest) {
   if (text_width(name) <= longest) return name;
-  while (text_width(name) >= longest) name.pop_back();
-  while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0x80u) != 0) name.pop_back();
-  return name + "…";
+  const auto begins_character = [&](std::size_t i) { return (static_cast<unsigned char>(name[i]) & 0xC0u) != 0x80u; };
+  std::size_t end = 0;
+  for (std::size_t n = 0; end < name.size(); ++end) {
+    if (begins_character(end) && ++n == longest) break;
+  }
+  return name.substr(0, end) + "…";
 }
 
 class CoverageTable {
@@ -88,7 +91,7 @@ class CoverageTable {
  private:
   void add_row(const std::string& name, const quality::PatchCoverage& c, const std::string& thickness,
                const std::string& thickness_percent) {
-    table_.add_row({name, fmt::format("{:.4g}", c.area), percent_in_words(c.all_layers_percent),
+    table_.add_row({name, fmt::format("{:.3g}", c.area), percent_in_words(c.all_layers_percent),
                     percent_in_words(c.full_percent),
                     c.asked.count > 0 ? fmt::format("{:.1f} of {}", c.mean_layers, c.asked.count)
                                       : fmt::format("{:.1f}", c.mean_layers),
@@ -97,7 +100,7 @@ class CoverageTable {
   }
 
   void add_without_layers(const std::string& name, double area, const std::string& why) {
-    table_.add_row({name, fmt::format("{:.4g}", area), "-", "-", "-", "-", "-", "-", why});
+    table_.add_row({name, fmt::format("{:.3g}", area), "-", "-", "-", "-", "-", "-", why});
   }
 
   bool is_whole_;
@@ -105,10 +108,10 @@ class CoverageTable {
                 {"area", true},
                 {"all %", true},
                 {"full %", true},
-                {"mean layers", true},
+                {"layers", true},
                 {"first %", true},
                 {"thickness", true},
-                {"of asked %", true},
+                {"reached %", true},
                 {"limited by, % of area"}}};
 };
 
@@ -144,7 +147,8 @@ std::string coverage_table(const Report& report, bool is_whole) {
   if (!rest.empty()) table.add_together(fmt::format("… {} more", rest.size()), rest);
   if (walls.size() > 1) table.add_together("all walls", walls);
   return table.text() +
-         "  all: with all layers; full: all layers and 95 % of the thickness; first: first height within 5 %\n";
+         "  % of the area. all: all layers; full: at 95 % of the thickness or more; first: first height within 5 %;\n"
+         "  layers: the mean; thickness: the median, and that in % of the asked one\n";
 }
 
 std::string lines_at_wall(const Report& report) {

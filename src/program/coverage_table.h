@@ -6,7 +6,7 @@
 
 namespace nearwall::program {
 
-/// What came out on each patch, as text for about 110 columns: with many patches the rows of those that lack least are
+/// What came out on each patch, as text for about 120 columns: with many patches the rows of those that lack least are
 /// put together in one, and long names and reasons are cut.
 /// \param is_whole  every patch, name and reason
 std::string coverage_table(const Report& report, bool is_whole);

@@ -119,7 +119,7 @@ TEST(ReasonsInWords, NameTheLargestFirst) {
   c.limit_percent[static_cast<std::size_t>(mesh::LimitReason::Gap)] = 3.14;
   c.limit_percent[static_cast<std::size_t>(mesh::LimitReason::Quality)] = 0.01;
   EXPECT_EQ(reasons_in_words(c, 3), "gap 3.1, curvature 0.4");
-  EXPECT_EQ(reasons_in_words(c, 1), "gap 3.1, 1 more");
+  EXPECT_EQ(reasons_in_words(c, 1), "gap 3.1, …");
 }
 
 TEST(PercentInWords, NeverRoundsToAll) {

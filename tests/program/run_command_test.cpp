@@ -41,6 +41,21 @@ TEST(RunCommand, PrintsTheReportAsJson) {
   EXPECT_EQ(json::parse(place.read("there/report.json"))["cells"], report["cells"]);
 }
 
+TEST(RunCommand, SaysWhatEachPatchHasAndWhy) {
+  Workplace place;
+  place.write_cube("cube.obj");
+  place.write_case("case.toml", "cube.obj", "[patches.bottom]\ntype = \"nolayer\"\n");
+  const Outcome outcome = place.run({"run", "case.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* title : {"area", "all %", "full %", "layers", "first %", "thickness", "reached %", "limited by"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(title));
+  }
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("sides +4 +0.0 +0.0 +0.0 of 3 .*patch-edge 100.0"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("top +1 +100.0 +100.0 +3.0 of 3 +"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("bottom +1 .*no layers asked"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("4 of [0-9]+ lines stay at the wall: patch-edge 4\n"));
+}
+
 TEST(RunCommand, TakesKeysFromTheCommandLine) {
   Workplace place;
   place.write_cube("cube.obj");

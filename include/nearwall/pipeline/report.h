@@ -86,7 +86,7 @@ struct Report {
 };
 
 /// "curvature 3.1, gap 0.4": what keeps triangles from being full, with its share of the area [percent], the largest
-/// first. \param most  reasons named; what is left is told as "2 more"
+/// first. \param most  reasons named; "…" stands for the others
 std::string reasons_in_words(const quality::PatchCoverage& coverage, std::size_t most);
 
 /// 99.96 as "99.9": what is not all must not read as all.
