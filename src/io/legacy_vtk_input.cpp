@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "io/point_arrays.h"
+
 namespace nearwall::io {
 namespace {
 
@@ -51,6 +53,16 @@ T LegacyVtkInput::next(ScalarType type) {
   }
 }
 
+template <class T>
+std::vector<T> LegacyVtkInput::read_all(std::int64_t n, ScalarType type) {
+  std::vector<T> values(in_.checked_count(n, "the number of values", least_bytes(type)));
+  begin_values();
+  for (T& value : values) value = next<T>(type);
+  return values;
+}
+
+template std::vector<std::int64_t> LegacyVtkInput::read_all(std::int64_t n, ScalarType type);
+
 LegacyVtkInput::LegacyVtkInput(std::string_view bytes, const std::string& file) : in_(bytes, file) {
   const std::string_view first = in_.rest_of_line();
   if (!first.starts_with("# vtk DataFile Version")) in_.fail_expected("'# vtk DataFile Version'", first);
@@ -69,6 +81,7 @@ LegacyVtkInput::LegacyVtkInput(std::string_view bytes, const std::string& file) 
 void LegacyVtkInput::read_other(std::string_view keyword) {
   if (same_word(keyword, "CELL_DATA") || same_word(keyword, "POINT_DATA")) {
     in_cell_data_ = same_word(keyword, "CELL_DATA");
+    in_point_data_ = !in_cell_data_;
     n_tuples_ = in_.integer("the number of values");
   } else if (same_word(keyword, "METADATA")) {
     skip_metadata();
@@ -188,6 +201,8 @@ void LegacyVtkInput::read_array(const std::string& name, std::int64_t n_componen
 void LegacyVtkInput::read_values(const std::string& name, std::int64_t n_components, std::int64_t n, ScalarType type) {
   if (in_cell_data_ && n_components == 1 && is_patch_array_name(name) && !is_real(type)) {
     cell_arrays_.push_back({name, read_integers(n, type)});
+  } else if (in_point_data_ && n_components == 1 && point_arrays_ && point_arrays_->meet(name)) {
+    point_arrays_->take(name, read_all<double>(n, type));
   } else {
     skip_values(n_components, n, type);
   }
@@ -218,13 +233,6 @@ std::size_t LegacyVtkInput::string_length() {
     default:
       return in_.value<std::uint64_t>(std::endian::big, "a length");
   }
-}
-
-std::vector<std::int64_t> LegacyVtkInput::read_integers(std::int64_t n, ScalarType type) {
-  std::vector<std::int64_t> values(in_.checked_count(n, "the number of values", least_bytes(type)));
-  begin_values();
-  for (std::int64_t& value : values) value = next<std::int64_t>(type);
-  return values;
 }
 
 void LegacyVtkInput::skip_values(std::int64_t n_components, std::int64_t n, ScalarType type) {

@@ -11,6 +11,8 @@
 
 namespace nearwall::io {
 
+class PointArrays;
+
 /// A legacy VTK file as both its readers see it, surfaces' and meshes': the header, points, cells, numbers in ascii and
 /// binary, and all the sections that stand in any data set. What may be patch numbers or their names is kept.
 class LegacyVtkInput {
@@ -27,10 +29,12 @@ class LegacyVtkInput {
   /// Cells in the form of the file's version: sizes and points in one list, or from 5.1 on offsets.
   CellList read_cells();
   /// `n` values of `type`, which follow. \throws GeometryError if the file is too short for them.
-  std::vector<std::int64_t> read_integers(std::int64_t n, ScalarType type);
+  std::vector<std::int64_t> read_integers(std::int64_t n, ScalarType type) { return read_all<std::int64_t>(n, type); }
   /// Sections of any data set: METADATA, FIELD, CELL_DATA, POINT_DATA and the arrays in them.
   void read_other(std::string_view keyword);
 
+  /// From now on point data of one number each goes there.
+  void keep_point_arrays(PointArrays& arrays) { point_arrays_ = &arrays; }
   std::vector<PolyDataInput::IntegerArray> take_cell_arrays() { return std::move(cell_arrays_); }
   std::vector<std::string> take_patch_names() { return std::move(patch_names_); }
 
@@ -51,14 +55,18 @@ class LegacyVtkInput {
   void begin_values();
   template <class T>
   T next(ScalarType type);
+  template <class T>
+  std::vector<T> read_all(std::int64_t n, ScalarType type);
 
   Cursor in_;
   std::string_view dataset_;
   std::vector<PolyDataInput::IntegerArray> cell_arrays_;
   std::vector<std::string> patch_names_;
+  PointArrays* point_arrays_ = nullptr;
   bool is_ascii_ = true;
   bool has_offsets_ = false;
   bool in_cell_data_ = false;
+  bool in_point_data_ = false;
   std::int64_t n_tuples_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/point_arrays.h"
 #include "io/scalar_type.h"
 #include "io/surface_builder.h"
 #include "io/surface_formats.h"
@@ -38,11 +39,13 @@ ScalarType scalar_type(std::string_view name) {
 
 class PlyReader {
  public:
-  PlyReader(std::string_view bytes, const std::string& file) : in_(bytes, file) {}
+  PlyReader(std::string_view bytes, const std::string& file, PointArrays& arrays)
+      : in_(bytes, file), point_arrays_(arrays) {}
 
   mesh::SurfaceMesh parse() {
     read_header();
     for (const Element& element : elements_) read_element(element);
+    for (auto& [name, values] : wanted_) point_arrays_.take(name, std::move(values));
     if (has_patches_) surface_.assign_patches(patch_of_triangle_, patch_names_);
     return surface_.finish(in_.position());
   }
@@ -123,6 +126,7 @@ class PlyReader {
     if (element.name == "tristrips") in_.fail("triangle strips are not supported; write the file with triangles");
     if (element.name == "vertex") {
       check_point_properties(element);
+      find_wanted(element);
       surface_.reserve(n, 0);
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -144,13 +148,25 @@ class PlyReader {
     }
   }
 
+  static bool is_axis(const Property& p) {
+    return p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z' && !p.is_list();
+  }
+
+  void find_wanted(const Element& element) {
+    for (const Property& p : element.properties) {
+      if (!p.is_list() && !is_axis(p) && point_arrays_.meet(p.name)) wanted_.push_back({p.name, {}});
+    }
+  }
+
   void read_point(const Element& element) {
     Vec3 point;
     const FilePosition where = in_.position();
+    auto wanted = wanted_.begin();  // in the order of the properties
     for (const Property& p : element.properties) {
-      const bool is_axis = p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z' && !p.is_list();
-      if (is_axis) {
+      if (is_axis(p)) {
         point[p.name[0] - 'x'] = next<double>(p.type);
+      } else if (wanted != wanted_.end() && !p.is_list() && p.name == wanted->first) {
+        (wanted++)->second.push_back(next<double>(p.type));
       } else {
         skip(p);
       }
@@ -208,6 +224,8 @@ class PlyReader {
   bool is_ascii_ = true;
   std::endian order_ = std::endian::little;
   std::vector<Element> elements_;
+  PointArrays& point_arrays_;
+  std::vector<std::pair<std::string, std::vector<double>>> wanted_;  // properties of the points and their values
   std::vector<std::int64_t> corners_;
   bool has_patches_ = false;
   std::vector<std::int64_t> patch_of_triangle_;
@@ -216,6 +234,13 @@ class PlyReader {
 
 }  // namespace
 
-mesh::SurfaceMesh parse_ply(std::string_view bytes, const std::string& file) { return PlyReader(bytes, file).parse(); }
+mesh::SurfaceMesh parse_ply(std::string_view bytes, const std::string& file, PointArrays& arrays) {
+  return PlyReader(bytes, file, arrays).parse();
+}
+
+mesh::SurfaceMesh parse_ply(std::string_view bytes, const std::string& file) {
+  PointArrays none;
+  return parse_ply(bytes, file, none);
+}
 
 }  // namespace nearwall::io

@@ -7,6 +7,8 @@
 
 namespace nearwall::io {
 
+class PointArrays;
+
 // One reader for each format, from the unpacked bytes of the file. `file` is its name for messages.
 // Each throws GeometryError, naming file and line or byte, on malformed content.
 mesh::SurfaceMesh parse_stl(std::string_view bytes, const std::string& file);
@@ -15,6 +17,11 @@ mesh::SurfaceMesh parse_ply(std::string_view bytes, const std::string& file);
 mesh::SurfaceMesh parse_off(std::string_view bytes, const std::string& file);
 mesh::SurfaceMesh parse_vtp(std::string_view bytes, const std::string& file);
 mesh::SurfaceMesh parse_legacy_vtk(std::string_view bytes, const std::string& file);
+
+// Those whose files may have point arrays, with the ones that are wanted.
+mesh::SurfaceMesh parse_ply(std::string_view bytes, const std::string& file, PointArrays& arrays);
+mesh::SurfaceMesh parse_vtp(std::string_view bytes, const std::string& file, PointArrays& arrays);
+mesh::SurfaceMesh parse_legacy_vtk(std::string_view bytes, const std::string& file, PointArrays& arrays);
 
 // The whole file in each format; what each keeps: docs/formats.md.
 std::string format_stl(const mesh::SurfaceMesh& mesh);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/file_bytes.h"
+#include "io/point_arrays.h"
 #include "io/surface_endings.h"
 #include "io/surface_formats.h"
 #include "nearwall/core/errors.h"
@@ -21,6 +22,12 @@ using Parse = mesh::SurfaceMesh (*)(std::string_view, const std::string&);
 
 constexpr std::array<Parse, kSurfaceEndings.size()> kParsers = {parse_stl, parse_obj, parse_ply,
                                                                 parse_off, parse_vtp, parse_legacy_vtk};
+
+using ParseWithArrays = mesh::SurfaceMesh (*)(std::string_view, const std::string&, PointArrays&);
+
+/// Null: files of this format have no point arrays.
+constexpr std::array<ParseWithArrays, kSurfaceEndings.size()> kParsersWithArrays = {
+    nullptr, nullptr, parse_ply, nullptr, parse_vtp, parse_legacy_vtk};
 
 /// Endings that are understood to mean a surface, but not read yet.
 constexpr std::array<std::string_view, 9> kLaterEndings = {"msh",  "su2",  "cgns",  "ugrid", "tri",
@@ -36,6 +43,36 @@ constexpr std::array<std::string_view, 9> kLaterEndings = {"msh",  "su2",  "cgns
   throw InputError(fmt::format("{}: {}, expected a surface in one of: {} (also .gz){}", path.string(),
                                ending.empty() ? "no ending" : fmt::format("unknown ending '.{}'", ending),
                                fmt::join(known, " "), near.empty() ? "" : "; did you mean ." + near + "?"));
+}
+
+[[noreturn]] void fail_without_arrays(const std::filesystem::path& path, std::string_view ending,
+                                      const std::string& wanted) {
+  std::vector<std::string_view> able;
+  for (std::size_t i = 0; i < kSurfaceEndings.size(); ++i) {
+    if (kParsersWithArrays[i]) able.push_back(kSurfaceEndings[i]);
+  }
+  throw InputError(fmt::format("{}: the point array \"{}\" is asked for, but files in .{} have none; those in .{} may",
+                               path.string(), wanted, ending, fmt::join(able, ", .")));
+}
+
+/// An array that was asked for. \throws InputError if the file has none of that name
+mesh::PointArray taken(PointArrays& arrays, const std::string& name, const mesh::SurfaceMesh& mesh,
+                       const std::filesystem::path& path) {
+  mesh::PointArray* const found = arrays.find(name);
+  if (!found) {
+    const std::string near = nearest(name, arrays.met());
+    throw InputError(fmt::format("{}: no point array \"{}\" of one number for each point; {}", path.string(), name,
+                                 arrays.met().empty()
+                                     ? "the file has none at all"
+                                     : fmt::format("there {} \"{}\"{}", arrays.met().size() == 1 ? "is" : "are",
+                                                   fmt::join(arrays.met(), "\", \""),
+                                                   near.empty() ? "" : fmt::format("; nearest: \"{}\"", near))));
+  }
+  if (found->values.size() != mesh.points.size()) {
+    throw GeometryError(fmt::format("{}: the point array \"{}\" has {} values for {} points", path.string(), name,
+                                    found->values.size(), mesh.points.size()));
+  }
+  return *found;
 }
 
 }  // namespace
@@ -55,12 +92,19 @@ std::string surface_stem(const std::filesystem::path& path) {
   return (is_gzip_name(path) ? path.stem() : path).stem().string();
 }
 
-mesh::SurfaceMesh read_surface(const std::filesystem::path& path) try {
+mesh::SurfaceMesh read_surface(const std::filesystem::path& path) { return read_surface(path, {}); }
+
+mesh::SurfaceMesh read_surface(const std::filesystem::path& path, std::span<const std::string> point_arrays) try {
   if (std::filesystem::is_directory(path)) {
     throw InputError(fmt::format("{}: is a folder, expected a surface file", path.string()));
   }
-  const Parse parse = kParsers[surface_format(path)];
-  return parse(read_bytes(path), path.string());
+  const std::size_t format = surface_format(path);
+  if (point_arrays.empty()) return kParsers[format](read_bytes(path), path.string());
+  if (!kParsersWithArrays[format]) fail_without_arrays(path, kSurfaceEndings[format], point_arrays.front());
+  PointArrays arrays({point_arrays.begin(), point_arrays.end()});
+  mesh::SurfaceMesh mesh = kParsersWithArrays[format](read_bytes(path), path.string(), arrays);
+  for (const std::string& name : point_arrays) mesh.point_arrays.push_back(taken(arrays, name, mesh, path));
+  return mesh;
 } catch (const std::bad_alloc&) {
   throw IoError(fmt::format("{}: not enough memory to read the surface", path.string()));
 } catch (const std::filesystem::filesystem_error& error) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "io/point_arrays.h"
 #include "io/polydata_input.h"
 #include "io/surface_formats.h"
 #include "io/vtk_xml_input.h"
@@ -9,7 +10,8 @@ namespace {
 
 class VtpReader {
  public:
-  VtpReader(std::string_view bytes, const std::string& file) : in_(bytes, file), file_(file) {}
+  VtpReader(std::string_view bytes, const std::string& file, PointArrays& arrays)
+      : in_(bytes, file), file_(file), point_arrays_(arrays) {}
 
   mesh::SurfaceMesh parse() {
     const FilePosition start{file_, true, 0};
@@ -41,15 +43,26 @@ class VtpReader {
       read_cells(array, data_.strips);
     } else if (array.section == "CellData" && is_patch_array_name(array.name()) && is_single_integer(array)) {
       data_.cell_arrays.push_back({std::string(array.name()), in_.integers(array)});
+    } else if (array.section == "PointData" && is_single_number(array)) {
+      const std::string name(array.name());
+      if (point_arrays_.meet(name)) point_arrays_.take(name, in_.reals(array));
     } else if (array.section == "FieldData" && array.name() == kPatchNames) {
       data_.patch_names = in_.strings(array);
     }
   }
 
-  static bool is_single_integer(const XmlArray& array) {
+  static bool is_single(const XmlArray& array) {
     const std::string_view components = array.tag.attribute("NumberOfComponents");
+    return components.empty() || components == "1";
+  }
+
+  static bool is_single_integer(const XmlArray& array) {
     const std::string_view type = array.tag.attribute("type");
-    return (components.empty() || components == "1") && (type.starts_with("Int") || type.starts_with("UInt"));
+    return is_single(array) && (type.starts_with("Int") || type.starts_with("UInt"));
+  }
+
+  static bool is_single_number(const XmlArray& array) {
+    return is_single_integer(array) || (is_single(array) && array.tag.attribute("type").starts_with("Float"));
   }
 
   void read_points(const XmlArray& array) {
@@ -76,10 +89,18 @@ class VtpReader {
   VtkXmlInput in_;
   std::string file_;
   PolyDataInput data_;
+  PointArrays& point_arrays_;
 };
 
 }  // namespace
 
-mesh::SurfaceMesh parse_vtp(std::string_view bytes, const std::string& file) { return VtpReader(bytes, file).parse(); }
+mesh::SurfaceMesh parse_vtp(std::string_view bytes, const std::string& file, PointArrays& arrays) {
+  return VtpReader(bytes, file, arrays).parse();
+}
+
+mesh::SurfaceMesh parse_vtp(std::string_view bytes, const std::string& file) {
+  PointArrays none;
+  return parse_vtp(bytes, file, none);
+}
 
 }  // namespace nearwall::io

@@ -137,6 +137,13 @@ mesh::SurfaceMesh weld(const mesh::SurfaceMesh& surface, double tolerance) {
   for (auto& face : welded.faces) {
     for (VertexId& v : face) v = VertexId(kept[v.index()]);
   }
+  for (mesh::PointArray& array : welded.point_arrays) {
+    for (const VertexId v : array.values.ids()) {
+      const double value = array.values[v];
+      double& least = array.values[VertexId(kept[v.index()])];
+      if (value < least || std::isnan(value)) least = value;
+    }
+  }
   drop_unused_points(welded);
   return welded;
 }
@@ -152,6 +159,14 @@ void drop_unused_points(mesh::SurfaceMesh& surface) {
     if (is_used[v.index()]) number[v] = points.push_back(surface.points[v]);
   }
   if (points.size() == surface.points.size()) return;
+  for (mesh::PointArray& array : surface.point_arrays) {
+    IdVector<VertexId, double> values;
+    values.reserve(points.size());
+    for (const VertexId v : array.values.ids()) {
+      if (is_used[v.index()]) values.push_back(array.values[v]);
+    }
+    array.values = std::move(values);
+  }
   surface.points = std::move(points);
   for (auto& face : surface.faces) {
     for (VertexId& v : face) v = number[v];

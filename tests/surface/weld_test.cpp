@@ -34,6 +34,56 @@ TEST(Weld, KeepsPatchesOfTriangles) {
   EXPECT_EQ(welded.patch_names, cube.patch_names);
 }
 
+TEST(Weld, GivesMergedPointsTheSmallestOfTheirValues) {
+  mesh::SurfaceMesh cube = shapes::as_soup(shapes::cube());
+  const mesh::SurfaceMesh bare = weld(cube, 0);
+  mesh::PointArray height{"h", IdVector<VertexId, double>(cube.points.size())};
+  for (const VertexId v : cube.points.ids()) height.values[v] = 100 + cube.points[v].x();
+  const auto corner_value = [&](const Vec3& p, double value) {
+    for (const VertexId v : cube.points.ids()) {
+      if (cube.points[v] == p) height.values[v] = value--;
+    }
+    return value + 1;
+  };
+  const Vec3 a = bare.points[VertexId(3)], b = bare.points[VertexId(6)];
+  const double least = corner_value(a, 7);
+  for (const VertexId v : cube.points.ids()) {
+    if (cube.points[v] == b) height.values[v] = std::numeric_limits<double>::quiet_NaN();
+  }
+  cube.point_arrays.push_back(height);
+  const mesh::SurfaceMesh welded = weld(cube, 0);
+  ASSERT_EQ(welded.point_arrays.size(), 1u);
+  ASSERT_EQ(welded.point_arrays[0].values.size(), welded.points.size());
+  for (const VertexId v : welded.points.ids()) {
+    const double value = welded.point_arrays[0].values[v];
+    if (welded.points[v] == b) {
+      EXPECT_TRUE(std::isnan(value));
+    } else {
+      EXPECT_EQ(value, welded.points[v] == a ? least : 100 + welded.points[v].x());
+    }
+  }
+  EXPECT_LT(least, 7);
+}
+
+TEST(Weld, TakesTheArraysOfPointsThatAreUsedAlong) {
+  mesh::SurfaceMesh cube = shapes::cube();
+  mesh::SurfaceMesh with_more = cube;
+  with_more.points = IdVector<VertexId, Vec3>();
+  mesh::PointArray number{"n", {}};
+  for (const Vec3& p : cube.points) {  // every other point is of no triangle
+    with_more.points.push_back({9, 9, double(with_more.points.size())});
+    with_more.points.push_back(p);
+  }
+  for (const VertexId v : with_more.points.ids()) number.values.push_back(double(v.index()));
+  for (auto& face : with_more.faces) {
+    for (VertexId& v : face) v = VertexId(2 * v.index() + std::size_t{1});
+  }
+  with_more.point_arrays.push_back(number);
+  const mesh::SurfaceMesh welded = weld(with_more, 0);
+  ASSERT_EQ(welded.point_arrays[0].values.size(), cube.points.size());
+  for (const VertexId v : cube.points.ids()) EXPECT_EQ(welded.point_arrays[0].values[v], 2.0 * v.index() + 1);
+}
+
 TEST(Weld, TakesMinusZeroForZero) {
   EXPECT_EQ(merged({{0.0, 1, 2}, {-0.0, 1, 2}}, 0), (std::vector<std::uint32_t>{0, 0}));
 }

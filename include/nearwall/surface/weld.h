@@ -22,10 +22,11 @@ std::vector<std::uint32_t> merged_points(std::span<const Vec3> points, double to
 
 /// The surface with points within `tolerance` of each other made one. Triangles keep their number and patch, also where
 /// corners fall together; points keep their order, those that no triangle uses are dropped before anything merges.
+/// Point arrays follow: a point that others merge into has the smallest of their values, NaN if one of them is.
 /// \throws InputError if the tolerance is negative or not finite.    Cost: O(n)
 mesh::SurfaceMesh weld(const mesh::SurfaceMesh& surface, double tolerance);
 
-/// Drops the points that no triangle uses; the others keep their order.
+/// Drops the points that no triangle uses; the others keep their order, and point arrays follow them.
 void drop_unused_points(mesh::SurfaceMesh& surface);
 
 }  // namespace nearwall::surface
