@@ -49,10 +49,13 @@ LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& fi
 /// \returns vertices that were lowered, in increasing order
 std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan, VertexField& field);
 
-/// Keeps each line below its share of the way to the next wall, by rays.
+/// Keeps each line below its share of the gap to the next wall: half of it, and what the other side does not ask for.
+/// By a ray along the line, and a ball round its end for walls that the ray misses or meets obliquely. Cost: a few tree
+/// queries for each line. Source: docs/theory/layers.md, section 3.
 void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field);
 
-/// Lowers neighbours so that thickness changes along the surface at a bounded rate.
+/// Lowers neighbours so that thickness rises along the surface at a bounded rate, which depends on the reason for which
+/// a line is thin.
 /// \param seeds  vertices whose thickness may be too low for their neighbours; empty: all
 /// \returns      vertices that were lowered
 std::vector<VertexId> grade(const Wall& wall, VertexField& field, const std::vector<VertexId>& seeds);

@@ -83,6 +83,8 @@ std::vector<FaceId> WallTree::faces_near(const geometry::Box& box) const {
   return faces;
 }
 
+Vec3 WallTree::nearest_on(FaceId face, const Vec3& p) const { return nearest_point(tree_->triangles[face.index()], p); }
+
 WallTree::Nearest WallTree::nearest(const Vec3& p) const {
   expect(tree_->boxes.size() > 0, "a surface with faces");
   double best = std::numeric_limits<double>::infinity();

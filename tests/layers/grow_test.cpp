@@ -130,12 +130,12 @@ TEST(Grow, LosesLayersAtAHairGapOnly) {
 }
 
 TEST(Grow, EndsAtOnceWithoutPatience) {
-  // Layers far thicker than the body need several rounds; with none to spare its whole component is blocked, and no
-  // other.
-  const auto star = gallery::catalogued("star", {{"points", 12}, {"inner-radius", 0.15}, {"height", 2}}, 0.2);
-  const auto surface = shapes_for_tests::joined(star, shapes_for_tests::sphere(2, 1.0, {100, 0, 0}));
+  // Edges that cross half way between their vertices need several rounds; with none to spare both components are
+  // blocked, and no other.
+  const auto surface =
+      shapes_for_tests::joined(shapes_for_tests::crossed_edges(0.1), shapes_for_tests::sphere(2, 1.0, {100, 0, 0}));
   const TestWall wall(surface);
-  GrowOptions options = options_for(surface, geometric(3, 1.3, 8));
+  GrowOptions options = options_for(surface, geometric(1, 1.3, 8));
   EXPECT_GT(grow(wall.wall(), options).rounds, 1);
   options.patient_rounds = 0;
   const Growth growth = grow(wall.wall(), options);

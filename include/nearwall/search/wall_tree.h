@@ -36,6 +36,9 @@ class WallTree {
   /// Faces whose boxes meet the given box, in increasing order.
   std::vector<FaceId> faces_near(const geometry::Box& box) const;
 
+  /// Point of one face nearest to p, to rounding; a corner bit for bit.
+  Vec3 nearest_on(FaceId face, const Vec3& p) const;
+
   /// Nearest point of the surface; ties go to the smallest face id. The surface must have a face.
   struct Nearest {
     FaceId face;
