@@ -19,13 +19,11 @@ Key later(std::string_view table, std::string_view name, Kind kind, std::string_
 }  // namespace
 
 std::vector<Key> later_keys() {
-  std::vector<Key> keys = {
-      later("layers", "until", Kind::Text, "", "stop where layers are as high as their triangles are wide"),
-      later("volume", "fill", Kind::Choice, "\"none\"", "what fills the rest of the volume"),
-      later("volume", "growth", Kind::Number, "1.3", "of cells away from the layers"),
-      later("volume.farfield", "shape", Kind::Choice, "\"sphere\"", "of the outer boundary"),
-      later("volume.farfield", "radius", Kind::Number, "\"auto\"", "of the outer boundary"),
-      later("volume.farfield", "size", Kind::Number, "\"auto\"", "of the triangles there")};
+  std::vector<Key> keys = {later("volume", "fill", Kind::Choice, "\"none\"", "what fills the rest of the volume"),
+                           later("volume", "growth", Kind::Number, "1.3", "of cells away from the layers"),
+                           later("volume.farfield", "shape", Kind::Choice, "\"sphere\"", "of the outer boundary"),
+                           later("volume.farfield", "radius", Kind::Number, "\"auto\"", "of the outer boundary"),
+                           later("volume.farfield", "size", Kind::Number, "\"auto\"", "of the triangles there")};
   for (Key& key : keys) {
     if (key.default_text == "\"auto\"") key.takes_auto = true;
     if (key.name == "fill") key.choices = {"none"}, key.later = {"tetgen"};
@@ -105,6 +103,7 @@ std::string allowed(const Key& key) {
   }
   if (!key.unit.empty()) phrase += fmt::format(" ({})", key.unit);
   if (key.takes_auto) phrase += " or \"auto\"";
+  if (key.array) phrase += " or { array = \"NAME\" }";
   return phrase;
 }
 

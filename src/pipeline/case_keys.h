@@ -13,7 +13,7 @@ namespace nearwall::pipeline {
 
 /// A value of the case file. monostate: not given and without default.
 using CaseValue = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
-                               std::vector<std::string>>;
+                               std::vector<std::string>, ArrayLength>;
 
 /// What a key takes. Number, Integer and Boolean may take "auto" besides.
 enum class Kind { Number, Integer, Boolean, Text, Choice, Choices, Numbers };
@@ -46,6 +46,8 @@ struct Key {
   bool is_later = false;                     ///< the key itself: only its default is accepted
   std::string_view doc = {};
   void (*set)(Target, const CaseValue&) = nullptr;
+  /// Of keys that take { array = "NAME", factor = … } besides: the array of the settings instead of a number.
+  ArrayLength& (*array)(LayerSettings&) = nullptr;
   CaseValue (*get)(const Case&, const LayerSettings&) = nullptr;
 };
 

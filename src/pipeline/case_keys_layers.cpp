@@ -11,6 +11,8 @@ constexpr Range kPositive = {0, std::numeric_limits<double>::infinity(), true};
 constexpr Range kGrowthRange = {1, spacing::kMaxGrowth};
 /// In the order of OnConflict.
 constexpr std::array<std::string_view, 3> kConflictNames = {"auto", "compress", "stair"};
+/// In the order of Until.
+constexpr std::array<std::string_view, 2> kUntilNames = {"count", "isotropic"};
 constexpr Range kCountRange = {1, spacing::kMaxCount};
 
 template <std::optional<double> LayerSettings::*member>
@@ -21,6 +23,23 @@ template <std::optional<double> LayerSettings::*member>
 CaseValue get_number(const Case&, const LayerSettings& l) {
   return l.*member ? CaseValue(*(l.*member)) : CaseValue();
 }
+
+template <std::optional<double> LayerSettings::*member, std::optional<ArrayLength> LayerSettings::*array>
+void set_length(Target t, const CaseValue& v) {
+  t.layers.*member = std::get<double>(v);
+  (t.layers.*array).reset();
+}
+template <std::optional<double> LayerSettings::*member, std::optional<ArrayLength> LayerSettings::*array>
+CaseValue get_length(const Case& c, const LayerSettings& l) {
+  return l.*array ? CaseValue(*(l.*array)) : get_number<member>(c, l);
+}
+template <std::optional<double> LayerSettings::*member, std::optional<ArrayLength> LayerSettings::*array>
+ArrayLength& array_of(LayerSettings& l) {
+  (l.*member).reset();
+  if (!(l.*array)) (l.*array).emplace();
+  return *(l.*array);
+}
+
 template <std::optional<int> LayerSettings::*member>
 void set_integer(Target t, const CaseValue& v) {
   t.layers.*member = static_cast<int>(std::get<std::int64_t>(v));
@@ -37,16 +56,22 @@ void set_law(Target t, const CaseValue& v) {
   }
 }
 
-/// The four quantities and y_plus.
+template <class Enum, std::size_t n>
+Enum enumerator(const std::array<std::string_view, n>& names, const CaseValue& v) {
+  return static_cast<Enum>(std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin());
+}
+
+/// The four quantities, y_plus and until.
 std::vector<Key> quantities() {
   return {{.table = "layers",
            .name = "first_height",
            .unit = "length",
            .example = "1e-5",
            .range = kPositive,
-           .doc = "height of the first layer",
-           .set = set_number<&LayerSettings::first_height>,
-           .get = get_number<&LayerSettings::first_height>},
+           .doc = "height of the first layer; may be a point array of the surface file (docs/spacing.md)",
+           .set = set_length<&LayerSettings::first_height, &LayerSettings::first_height_array>,
+           .array = array_of<&LayerSettings::first_height, &LayerSettings::first_height_array>,
+           .get = get_length<&LayerSettings::first_height, &LayerSettings::first_height_array>},
           {.table = "layers",
            .name = "y_plus",
            .example = "1.0",
@@ -67,7 +92,7 @@ std::vector<Key> quantities() {
            .unit = "layers",
            .example = "30",
            .range = kCountRange,
-           .doc = "number of layers; 30 where only growth and a length are given",
+           .doc = "number of layers; 30 where only growth and a length are given; the most with until = \"isotropic\"",
            .set = set_integer<&LayerSettings::count>,
            .get = get_integer<&LayerSettings::count>},
           {.table = "layers",
@@ -75,9 +100,22 @@ std::vector<Key> quantities() {
            .unit = "length",
            .example = "0.01",
            .range = kPositive,
-           .doc = "of all layers; any three of first_height, growth, count, total_thickness give the fourth",
-           .set = set_number<&LayerSettings::total_thickness>,
-           .get = get_number<&LayerSettings::total_thickness>}};
+           .doc = "of all layers, may be a point array, too; any three of first_height, growth, count, total_thickness "
+                  "give the fourth",
+           .set = set_length<&LayerSettings::total_thickness, &LayerSettings::total_thickness_array>,
+           .array = array_of<&LayerSettings::total_thickness, &LayerSettings::total_thickness_array>,
+           .get = get_length<&LayerSettings::total_thickness, &LayerSettings::total_thickness_array>},
+          {.table = "layers",
+           .name = "until",
+           .kind = Kind::Choice,
+           .default_text = "\"count\"",
+           .choices = {kUntilNames.begin(), kUntilNames.end()},
+           .doc = "where lines end: at the last layer; or where layers are as high as their triangles are wide",
+           .set = [](Target t, const CaseValue& v) { t.layers.until = enumerator<Until>(kUntilNames, v); },
+           .get =
+               [](const Case&, const LayerSettings& l) {
+                 return CaseValue(std::string(kUntilNames[std::size_t(l.until.value_or(Until::Count))]));
+               }}};
 }
 
 std::vector<Key> laws() {
@@ -126,47 +164,44 @@ std::vector<Key> laws() {
 }
 
 std::vector<Key> conflicts() {
-  return {{.table = "layers",
-           .name = "on_conflict",
-           .kind = Kind::Choice,
-           .default_text = "\"auto\"",
-           .choices = {kConflictNames.begin(), kConflictNames.end()},
-           .doc = "where there is no room: layers become thinner (compress) or fewer (stair); auto: docs/layers.md",
-           .set =
-               [](Target t, const CaseValue& v) {
-                 const auto name = std::find(kConflictNames.begin(), kConflictNames.end(), std::get<std::string>(v));
-                 t.layers.on_conflict = static_cast<OnConflict>(name - kConflictNames.begin());
-               },
-           .get =
-               [](const Case&, const LayerSettings& l) {
-                 const auto chosen = l.on_conflict.value_or(OnConflict::Auto);
-                 return CaseValue(std::string(kConflictNames[static_cast<std::size_t>(chosen)]));
-               }},
-          {.table = "layers",
-           .name = "max_level_step",
-           .kind = Kind::Integer,
-           .takes_auto = true,
-           .unit = "layers",
-           .default_text = "\"auto\"",
-           .range = kCountRange,
-           .doc = "by which a line may end above a neighbour that moves; auto: any number",
-           .set =
-               [](Target t, const CaseValue& v) {
-                 t.layers.max_level_step = is_auto(v) ? 0 : static_cast<int>(std::get<std::int64_t>(v));
-               },
-           .get =
-               [](const Case&, const LayerSettings& l) {
-                 const int step = l.max_level_step.value_or(0);
-                 return step > 0 ? CaseValue(std::int64_t{step}) : CaseValue(std::string(kAuto));
-               }},
-          {.table = "layers",
-           .name = "min_coverage",
-           .unit = "percent",
-           .default_text = "0.0",
-           .range = {0, 100},
-           .doc = "of each wall patch with all layers; under it the exit code is 4",
-           .set = set_number<&LayerSettings::min_coverage>,
-           .get = [](const Case&, const LayerSettings& l) { return CaseValue(l.min_coverage.value_or(0)); }}};
+  return {
+      {.table = "layers",
+       .name = "on_conflict",
+       .kind = Kind::Choice,
+       .default_text = "\"auto\"",
+       .choices = {kConflictNames.begin(), kConflictNames.end()},
+       .doc = "where there is no room: layers become thinner (compress) or fewer (stair); auto: docs/layers.md",
+       .set = [](Target t, const CaseValue& v) { t.layers.on_conflict = enumerator<OnConflict>(kConflictNames, v); },
+       .get =
+           [](const Case&, const LayerSettings& l) {
+             const auto chosen = l.on_conflict.value_or(OnConflict::Auto);
+             return CaseValue(std::string(kConflictNames[static_cast<std::size_t>(chosen)]));
+           }},
+      {.table = "layers",
+       .name = "max_level_step",
+       .kind = Kind::Integer,
+       .takes_auto = true,
+       .unit = "layers",
+       .default_text = "\"auto\"",
+       .range = kCountRange,
+       .doc = "by which a line may end above a neighbour that moves; auto: any number, 1 with until = \"isotropic\"",
+       .set =
+           [](Target t, const CaseValue& v) {
+             t.layers.max_level_step = is_auto(v) ? 0 : static_cast<int>(std::get<std::int64_t>(v));
+           },
+       .get =
+           [](const Case&, const LayerSettings& l) {
+             const int step = l.max_level_step.value_or(0);
+             return step > 0 ? CaseValue(std::int64_t{step}) : CaseValue(std::string(kAuto));
+           }},
+      {.table = "layers",
+       .name = "min_coverage",
+       .unit = "percent",
+       .default_text = "0.0",
+       .range = {0, 100},
+       .doc = "of each wall patch with all layers; under it the exit code is 4",
+       .set = set_number<&LayerSettings::min_coverage>,
+       .get = [](const Case&, const LayerSettings& l) { return CaseValue(l.min_coverage.value_or(0)); }}};
 }
 
 }  // namespace

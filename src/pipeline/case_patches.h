@@ -8,4 +8,13 @@ namespace nearwall::pipeline {
 /// contradiction, y_plus comes with [flow]. \throws InputError
 void check_heights(const Case& settings);
 
+/// What is in force on one patch before its surface is looked at.
+struct PatchLayers {
+  PatchType type = PatchType::Wall;
+  LayerSettings layers;
+};
+
+/// The settings of [layers] and of all rules that match, put together. \throws InputError if a rule matches no patch
+std::vector<PatchLayers> settings_of_patches(const Case& settings, std::span<const std::string> patch_names);
+
 }  // namespace nearwall::pipeline

@@ -173,6 +173,63 @@ PatchRule& rule_for(Case& settings, const Entry& entry) {
   return rule;
 }
 
+/// The key of [layers] or of a patch that may be a point array; null if the path names no such key.
+const Key* find_length(std::span<const std::string> path) {
+  const bool is_in_layers = path.size() == 2 && path.front() == "layers";
+  const bool is_of_patch = path.size() == 3 && path.front() == kPatches;
+  const Key* key = is_in_layers || is_of_patch ? find_key("layers", path.back()) : nullptr;
+  return key && key->array ? key : nullptr;
+}
+
+/// That of which an entry is the array or the factor; null if it is neither.
+const Key* length_of_part(const Entry& entry) {
+  return find_length(std::span(entry.path).first(entry.path.size() - 1));
+}
+
+/// Layers that an entry below [layers] or [patches.NAME] belongs to.
+LayerSettings& layers_for(Case& settings, const Entry& entry) {
+  LayerSettings& layers = entry.path.front() == kPatches ? rule_for(settings, entry).layers : settings.layers;
+  if (layers.where.empty()) layers.where = entry.key_place;
+  return layers;
+}
+
+/// "array" or "factor" of a length.
+void read_length_part(Case& settings, const Entry& entry, const Key& key) {
+  ArrayLength& length = key.array(layers_for(settings, entry));
+  const std::string& part = entry.path.back();
+  if (part == "array") {
+    const auto* name = std::get_if<std::string>(&entry.value);
+    if (!name || name->empty()) {
+      throw InputError(fmt::format("{}: {}: expected the name of a point array of the surface file in quotes, found {}",
+                                   entry.value_place, join(entry.path), entry.found));
+    }
+    length.array = *name;
+  } else if (part == "factor") {
+    const Key factor = {.kind = Kind::Number, .range = key.range};
+    length.factor = std::get<double>(checked_number(entry, factor));
+  } else {
+    throw InputError(fmt::format("{}: {}: unknown key; a length from an array takes array, factor", entry.key_place,
+                                 join(entry.path)));
+  }
+}
+
+/// A length that is a table needs an array in it.
+void check_lengths_have_arrays(const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries) {
+    std::vector<std::string> wanted = entry.path;
+    if (length_of_part(entry)) {
+      wanted.back() = "array";
+    } else if (entry.is_table && find_length(entry.path)) {
+      wanted.emplace_back("array");
+    } else {
+      continue;
+    }
+    if (std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.path == wanted; })) continue;
+    throw InputError(
+        fmt::format("{}: {}: missing: the name of a point array of the surface file", entry.key_place, join(wanted)));
+  }
+}
+
 void read_table(Case& settings, const Entry& entry) {
   if (entry.path.front() == kPatches && entry.path.size() <= 2) {
     if (entry.path.size() == 2) rule_for(settings, entry);
@@ -183,6 +240,10 @@ void read_table(Case& settings, const Entry& entry) {
   if (entry.path.front() == kPatches) table = entry.path.size() == 3 ? kPatches : "";
   const Key* key = find_key(table, entry.path.back());
   if (!key && table == kPatches) key = find_key("layers", entry.path.back());
+  if (key && key->array) {
+    layers_for(settings, entry);  // their first key may be this one
+    return;
+  }
   if (key) reject_value(entry, *key);
   reject_unknown_table(entry);
 }
@@ -193,6 +254,7 @@ void read_value(Case& settings, const Entry& entry) {
   if (is_table_name(join(path)) || (path.front() == kPatches && path.size() == 2)) {
     throw InputError(fmt::format("{}: {}: expected a table, found {}", entry.value_place, join(path), entry.found));
   }
+  if (const Key* length = length_of_part(entry)) return read_length_part(settings, entry, *length);
   const bool is_of_patch = path.front() == kPatches && path.size() == 3;
   const std::string table = is_of_patch ? std::string(kPatches) : join({path.begin(), path.end() - 1});
   if (!is_of_patch && !is_table_name(table)) reject_unknown_table(entry);
@@ -236,6 +298,7 @@ Case parse_case(const std::string& text, const std::filesystem::path& file, std:
   Case settings;
   settings.file = file;
   for (const Entry& entry : entries) entry.is_table ? read_table(settings, entry) : read_value(settings, entry);
+  check_lengths_have_arrays(entries);
   if (settings.surface.file.empty()) {
     throw InputError(
         fmt::format("{}: surface.file: missing: the surface to mesh, relative to this file", file.string()));

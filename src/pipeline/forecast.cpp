@@ -41,7 +41,8 @@ std::string grouped(std::uint64_t n) {
 }  // namespace
 
 Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
-                  const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces) {
+                  const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces,
+                  const IdVector<VertexId, Level>& asked_levels) {
   Forecast f;
   f.box = geometry::bounding_box(wall.points.raw());
   IdVector<VertexId, Level> levels(wall.points.size(), 0);
@@ -49,9 +50,14 @@ Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings
     const PatchSettings& patch = patches[wall.face_patch[face].index()];
     if (patch.type != PatchType::Wall || !is_wetted[face]) continue;
     const Level count = static_cast<Level>(patch.schedule.count);
-    f.n_cells += count;
     f.largest_count = std::max(f.largest_count, count);
-    for (const VertexId v : wall.faces[face]) levels[v] = std::max(levels[v], count);
+    Level highest = 0;
+    for (const VertexId v : wall.faces[face]) {
+      const Level level = patch.is_until_isotropic && !asked_levels.empty() ? asked_levels[v] : count;
+      levels[v] = std::max(levels[v], level);
+      highest = std::max(highest, level);
+    }
+    f.n_cells += highest;
   }
   f.n_points = wall.points.size();
   for (const Level level : levels) f.n_points += level;

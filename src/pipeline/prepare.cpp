@@ -8,10 +8,15 @@
 namespace nearwall::pipeline {
 
 mesh::SurfaceMesh read_wall(const Case& settings, ProgressSink& progress, std::size_t* n_read) {
-  mesh::SurfaceMesh surface = staged(progress, "reading", [&] { return io::read_surface(settings.surface_path()); });
+  mesh::SurfaceMesh surface =
+      staged(progress, "reading", [&] { return io::read_surface(settings.surface_path(), point_arrays(settings)); });
   if (n_read) *n_read = surface.points.size();
+  check_point_arrays(settings, surface);
   if (settings.surface.scale != 1) {
     for (Vec3& p : surface.points) p *= settings.surface.scale;
+    for (mesh::PointArray& array : surface.point_arrays) {
+      for (double& value : array.values) value *= settings.surface.scale;
+    }
   }
   return staged(progress, "welding", [&] { return surface::weld(surface, settings.surface.weld.value_or(0)); });
 }

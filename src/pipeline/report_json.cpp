@@ -17,6 +17,8 @@ Json to_json_value(const CaseValue& value) {
       [](const auto& v) -> Json {
         if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) {
           return nullptr;
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, ArrayLength>) {
+          return {{"array", v.array}, {"factor", v.factor}};
         } else {
           return v;
         }
@@ -57,6 +59,11 @@ Json patch_json(const PatchReport& patch) {
                           {"within_5_percent", c.first_height_met_percent},
                           {"over_1_5_times", c.first_height_large_percent}};
   json["thickness"] = {{"asked", c.asked.total_thickness}, {"median", c.thickness.median}, {"p01", c.thickness.p01}};
+  if (c.asked.has_own_heights)
+    json["first_height"]["asked_range"] = {c.asked_first_height.min, c.asked_first_height.max};
+  if (c.asked.has_own_heights || c.asked.has_own_counts) {
+    json["thickness"]["asked_range"] = {c.asked_thickness.min, c.asked_thickness.max};
+  }
   json["limits"] = by_reason(c.limit_percent);
   json["limited_lines"] = by_reason(patch.limited_lines);
   json["min_coverage"] = patch.min_coverage;

@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
@@ -77,7 +79,7 @@ Prepared prepare_or_reject(const Case& settings, OutputDirectory* output, Progre
 
 void check_thickness(const Case& settings, const std::vector<PatchSettings>& patches, double diagonal) {
   for (const PatchSettings& patch : patches) {
-    const double thickness = patch.schedule.total_thickness;
+    const double thickness = patch.largest_thickness;
     if (thickness <= kLargestThickness * diagonal) continue;
     throw InputError(fmt::format(
         "{}: layers: expected a total thickness of at most {:g} diagonals of the surface, found {:.3g}, and "
@@ -95,8 +97,9 @@ layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSe
   options.multi_angle = geometry::to_radians(settings.multi_angle_deg);
   options.max_turn = geometry::to_radians(settings.max_turn_deg);
   for (const PatchSettings& patch : patches) {
-    options.schedules.push_back(
-        {patch.type == PatchType::Wall, patch.schedule.heights, patch.on_conflict, patch.max_level_step});
+    options.schedules.push_back({patch.type == PatchType::Wall, patch.schedule.heights, patch.on_conflict,
+                                 patch.max_level_step, patch.first_height, patch.total_thickness,
+                                 patch.is_until_isotropic});
   }
   return options;
 }
@@ -123,7 +126,8 @@ IdVector<PatchId, quality::PatchRequest> requests_of(const std::vector<PatchSett
   IdVector<PatchId, quality::PatchRequest> requests;
   for (const PatchSettings& patch : patches) {
     const spacing::Schedule& s = patch.schedule;
-    requests.push_back({patch.type == PatchType::Wall, s.first_height, s.total_thickness, static_cast<Level>(s.count)});
+    requests.push_back({patch.type == PatchType::Wall, s.first_height, s.total_thickness, static_cast<Level>(s.count),
+                        patch.first_height || patch.total_thickness, patch.is_until_isotropic});
   }
   return requests;
 }
@@ -134,11 +138,11 @@ IdVector<FaceId, quality::FaceCoverage> measure(const layers::Wall& wall, const 
                                                 const std::vector<PatchSettings>& patches, Report& report) {
   report.quality = quality::layer_quality(layers, wall.surface);
   const auto requests = requests_of(patches);
-  auto coverage = quality::face_coverage(layers, wall.surface, requests,
-                                         {growth.asked_thickness, growth.reached_thickness, growth.reason});
+  const quality::LineOutcome outcome{growth.asked_thickness, growth.reached_thickness, growth.reason,
+                                     &growth.asked_levels, &growth.asked_first_height};
+  auto coverage = quality::face_coverage(layers, wall.surface, requests, outcome);
   const auto by_patch = quality::patch_coverage(wall.surface, coverage, requests, wall.is_wetted);
-  report.limited = quality::limited_lines(wall.surface, growth.front, growth.lines,
-                                          {growth.asked_thickness, growth.reached_thickness, growth.reason}, requests);
+  report.limited = quality::limited_lines(wall.surface, growth.front, growth.lines, outcome, requests);
   for (const PatchId p : by_patch.ids()) {
     const PatchSettings& patch = patches[p.index()];
     report.patches.push_back(
@@ -154,6 +158,15 @@ void write_reports(const std::vector<Picture>& pictures, OutputDirectory& output
   report.peak_memory_bytes = peak_memory();
   io::write_text(html, to_html(report, output.scratch("")));
   io::write_text(json, to_json(report));
+}
+
+Forecast forecast_of(const Case& settings, const Prepared& prepared, const std::vector<PatchSettings>& patches) {
+  const layers::Wall wall = wall_of(settings, prepared);
+  const layers::GrowOptions options = grow_options(settings, patches);
+  const bool any_isotropic =
+      std::any_of(patches.begin(), patches.end(), [](const auto& patch) { return patch.is_until_isotropic; });
+  return forecast(wall.surface, patches, wall.is_wetted, layers::forecast_fan_faces(wall, options),
+                  any_isotropic ? layers::asked_levels(wall, options) : IdVector<VertexId, Level>());
 }
 
 /// Layers, certificate, figures and files of a wall that was admitted.
@@ -204,9 +217,8 @@ Report run(const Case& settings, const RunOptions& options, ProgressSink* progre
     clock.warn(fmt::format("{} of {} components are out of the fluid's reach and get no layers",
                            report.surface.unwetted_components, report.surface.components));
   }
-  const auto patches = resolve_patches(settings, prepared.surface().patch_names.raw());
-  report.forecast = forecast(prepared.surface(), patches, prepared.is_wetted,
-                             layers::forecast_fan_faces(wall_of(settings, prepared), grow_options(settings, patches)));
+  const auto patches = resolve_patches(settings, prepared.surface(), prepared.topology);
+  report.forecast = forecast_of(settings, prepared, patches);
   check_thickness(settings, patches, report.forecast.box.diagonal());
   clock.note(describe(report.forecast));
 

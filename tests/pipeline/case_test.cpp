@@ -171,12 +171,14 @@ INSTANTIATE_TEST_SUITE_P(
         {"FractionOfALayer", "count = 2.5\n",
          "dir/case.toml:5:9: layers.count: expected an integer from 1 to 1000 (layers), found 2.5"},
         {"WithUnit", "total_thickness = \"3 mm\"\n",
-         "dir/case.toml:5:19: layers.total_thickness: expected a number above 0 (length), found \"3 mm\"; write a "
+         "dir/case.toml:5:19: layers.total_thickness: expected a number above 0 (length) or { array = \"NAME\" }, "
+         "found \"3 mm\"; write a "
          "plain "
          "number without quotes: length in the scaled unit of the surface"},
         {"OutOfRange", "growth = 0.8\n", "dir/case.toml:5:10: layers.growth: expected a number from 1 to 2, found 0.8"},
         {"NotFinite", "total_thickness = inf\n",
-         "dir/case.toml:5:19: layers.total_thickness: expected a number above 0 (length), found inf"},
+         "dir/case.toml:5:19: layers.total_thickness: expected a number above 0 (length) or { array = \"NAME\" }, "
+         "found inf"},
         {"Radians", "[features]\nridge_angle = 0.7\n",
          "dir/case.toml:6:15: features.ridge_angle: expected a number from 1 to 179 (degrees), found 0.7"},
         {"MistypedChoice", "law = \"geometrc\"\n",
@@ -186,7 +188,34 @@ INSTANTIATE_TEST_SUITE_P(
          "dir/case.toml:5:15: layers.on_conflict: expected \"auto\", \"compress\", \"stair\", found \"stairs\"; "
          "nearest: "
          "\"stair\""},
-        {"Until", "until = \"isotropic\"\n", "dir/case.toml:5:9: layers.until: \"isotropic\" is not in this version"},
+        {"Until", "until = \"isotropy\"\n",
+         "dir/case.toml:5:9: layers.until: expected \"count\", \"isotropic\", found \"isotropy\"; nearest: "
+         "\"isotropic\""},
+        {"UntilAndThickness", "until = \"isotropic\"\ntotal_thickness = 0.1\n",
+         "dir/case.toml:4:1: layers: until = \"isotropic\" and total_thickness exclude each other: the layers are as "
+         "thick as their triangles make them; leave out one (count = … bounds their number)"},
+        {"UntilAndTanh", "until = \"isotropic\"\nlaw = \"tanh\"\n",
+         "dir/case.toml:4:1: layers: until = \"isotropic\" cannot be had with the law \"tanh\", whose heights depend "
+         "on "
+         "the count; take \"geometric\" or \"accelerating\""},
+        {"ArrayWithoutName", "total_thickness = { factor = 2 }\n",
+         "dir/case.toml:5:1: layers.total_thickness.array: missing: the name of a point array of the surface file"},
+        {"EmptyArrayTable", "total_thickness = {}\n",
+         "dir/case.toml:5:1: layers.total_thickness.array: missing: the name of a point array of the surface file"},
+        {"ArrayThatIsNoName", "total_thickness = { array = 3 }\n",
+         "dir/case.toml:5:29: layers.total_thickness.array: expected the name of a point array of the surface file in "
+         "quotes, found 3"},
+        {"FactorOfNothing", "total_thickness = { array = \"T\", factor = 0 }\n",
+         "dir/case.toml:5:43: layers.total_thickness.factor: expected a number above 0, found 0"},
+        {"UnknownPartOfALength", "[patches.wing]\ntotal_thickness = { array = \"T\", fcator = 2 }\n",
+         "dir/case.toml:6:34: patches.wing.total_thickness.fcator: unknown key; a length from an array takes array, "
+         "factor"},
+        {"ArrayWhereNoneIs", "[layers.growth]\narray = \"G\"\n",
+         "dir/case.toml:5:1: layers.growth: expected a number from 1 to 2, found a table"},
+        {"FourQuantitiesWithAnArray", "growth = 1.2\ncount = 3\ntotal_thickness = { array = \"T\" }\n",
+         "dir/case.toml:4:1: layers: any three of first_height, growth, count and total_thickness determine the "
+         "fourth; "
+         "leave out one"},
         {"LevelStep", "max_level_step = 0\n",
          "dir/case.toml:5:18: layers.max_level_step: expected an integer from 1 to 1000 (layers) or \"auto\", found 0"},
         {"Fill", "[volume]\nfill = \"tetgen\"\n",
@@ -212,8 +241,8 @@ INSTANTIATE_TEST_SUITE_P(
          "dir/case.toml:5:1: output.report: expected true or false, found a table"},
         {"UnknownKeyOfPatch", "[patches.wing]\nkind = \"wall\"\n",
          "dir/case.toml:6:1: patches.wing.kind: unknown key; keys of [patches] are type, first_height, y_plus, growth, "
-         "count, total_thickness, law, heights, constant_layers, acceleration, largest_growth, on_conflict, "
-         "max_level_step, min_coverage, until"},
+         "count, total_thickness, until, law, heights, constant_layers, acceleration, largest_growth, on_conflict, "
+         "max_level_step, min_coverage"},
         {"TooManyQuantities", "growth = 1.2\ncount = 3\ntotal_thickness = 1.0\n",
          "dir/case.toml:4:1: layers: any three of first_height, growth, count and total_thickness determine "
          "the "

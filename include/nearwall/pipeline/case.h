@@ -21,13 +21,27 @@ enum class PatchType { Wall, NoLayer };
 
 using layers::OnConflict;
 
+/// Where the lines of a patch end: at the last layer of the count, or where layers are as high as their triangles are
+/// wide.
+enum class Until { Count, Isotropic };
+
+/// A length at each point, from an array of the surface file.
+struct ArrayLength {
+  std::string array;  ///< its name
+  double factor = 1;  ///< by which its values are multiplied; they are scaled as the surface is
+  friend bool operator==(const ArrayLength&, const ArrayLength&) = default;
+};
+
 /// Keys of [layers], which a patch may give, too; what is empty is inherited.
 struct LayerSettings {
-  std::optional<double> first_height;     ///< [length]
-  std::optional<double> y_plus;           ///< instead of first_height, with [flow]
-  std::optional<double> growth;           ///< [-]
-  std::optional<int> count;               ///< layers
-  std::optional<double> total_thickness;  ///< [length]
+  std::optional<double> first_height;                ///< [length]
+  std::optional<ArrayLength> first_height_array;     ///< instead of first_height
+  std::optional<double> y_plus;                      ///< instead of first_height, with [flow]
+  std::optional<double> growth;                      ///< [-]
+  std::optional<int> count;                          ///< layers
+  std::optional<double> total_thickness;             ///< [length]
+  std::optional<ArrayLength> total_thickness_array;  ///< instead of total_thickness
+  std::optional<Until> until;
   std::optional<spacing::Law> law;
   std::vector<double> heights;           ///< [length], law "table"
   std::optional<int> constant_layers;    ///< law "accelerating"
@@ -38,6 +52,8 @@ struct LayerSettings {
   std::optional<double> min_coverage;  ///< [percent] of the patch with all layers
   std::string where;                   ///< place of the first key in the case file, for messages
 
+  bool has_first_height() const { return first_height || first_height_array || y_plus; }
+  bool has_total_thickness() const { return total_thickness || total_thickness_array; }
   /// `law`, or what follows without it: a table where heights are given, geometric otherwise.
   spacing::Law law_in_force() const;
 };
@@ -106,15 +122,33 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
 /// What is in force on one patch: the settings of [layers] and of all rules that match, put together.
 struct PatchSettings {
   PatchType type = PatchType::Wall;
-  spacing::Schedule schedule;  ///< empty for NoLayer
+  /// Empty for NoLayer. Where vertices have lengths of their own, the stack that theirs are made from; where lines end
+  /// when they are isotropic, of as many layers as the widest triangles need.
+  spacing::Schedule schedule;
+  std::optional<layers::VertexLength> first_height;     ///< of each vertex
+  std::optional<layers::VertexLength> total_thickness;  ///< of each vertex
+  bool is_until_isotropic = false;
+  double largest_thickness = 0;  ///< that any vertex is asked for [length]
   OnConflict on_conflict = OnConflict::Auto;
   std::optional<int> max_level_step;  ///< levels between neighbouring lines that move; nullopt: any
   double min_coverage = 0;            ///< [percent]
 };
 
-/// \param patch_names  of the surface
-/// \returns one entry for each name
+/// Names of the point arrays that a case takes lengths from, each once: those that its surface is read with.
+std::vector<std::string> point_arrays(const Case& settings);
+
+/// Looks at the lengths that patches of layers take from point arrays.
+/// \param surface  as read from the file, with `point_arrays` of the case
+/// \throws InputError  if one of them is not a finite number above 0 at a point of such a patch: which, where
+void check_point_arrays(const Case& settings, const mesh::SurfaceMesh& surface);
+
+/// \param surface  in the case's unit, as are the values of its point arrays; with those of the case, in their order
+/// \returns one entry for each patch
 /// \throws InputError  if a rule matches no patch (with the nearest name) or a schedule is impossible
+std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::SurfaceMesh& surface,
+                                           const mesh::Topology& topology);
+
+/// The same from the names of the patches alone. \throws InputError  also where heights depend on the surface
 std::vector<PatchSettings> resolve_patches(const Case& settings, std::span<const std::string> patch_names);
 
 /// What `nearwall init SURFACE` knows of a surface.

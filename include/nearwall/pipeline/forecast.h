@@ -24,8 +24,10 @@ struct Forecast {
 /// \param patches      (n_patches) as of resolve_patches
 /// \param is_wetted    (n_faces)
 /// \param n_fan_faces  virtual faces of fans
+/// \param asked_levels (n_vertices) of lines that end when they are isotropic; empty: all lines have the patch's count
 Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
-                  const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces = 0);
+                  const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces = 0,
+                  const IdVector<VertexId, Level>& asked_levels = {});
 
 /// A sentence or two: cells, points, memory, disk, bounding box.
 std::string describe(const Forecast& forecast);

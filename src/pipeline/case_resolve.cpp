@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/layers/isotropic.h"
+#include "pipeline/case_patches.h"
+#include "pipeline/patch_schedules.h"
+
+namespace nearwall {
+
+namespace {
+
+using namespace pipeline;
+
+void set_rest(const LayerSettings& layers, PatchSettings& patch) {
+  patch.min_coverage = layers.min_coverage.value_or(0);
+  patch.on_conflict = layers.on_conflict.value_or(OnConflict::Auto);
+  if (layers.max_level_step.value_or(0) > 0) patch.max_level_step = layers.max_level_step;
+}
+
+std::string title(const std::string& name) { return fmt::format("layers of patch \"{}\"", name); }
+
+/// Vertices of the patches that are marked, each once, in increasing order.
+IdVector<PatchId, std::vector<VertexId>> vertices_of(const mesh::SurfaceMesh& surface,
+                                                     const std::vector<char>& is_marked) {
+  IdVector<PatchId, std::vector<VertexId>> vertices(is_marked.size());
+  for (const FaceId f : surface.faces.ids()) {
+    const PatchId patch = surface.face_patch[f];
+    if (!is_marked[patch.index()]) continue;
+    for (const VertexId v : surface.faces[f]) vertices[patch].push_back(v);
+  }
+  for (auto& of_patch : vertices) {
+    std::sort(of_patch.begin(), of_patch.end());
+    of_patch.erase(std::unique(of_patch.begin(), of_patch.end()), of_patch.end());
+  }
+  return vertices;
+}
+
+/// A length that a patch takes from an array.
+struct Taken {
+  std::string_view key;
+  const ArrayLength& length;
+};
+
+std::vector<Taken> taken_by(const LayerSettings& layers) {
+  std::vector<Taken> all;
+  if (layers.first_height_array) all.push_back({"first_height", *layers.first_height_array});
+  if (layers.total_thickness_array) all.push_back({"total_thickness", *layers.total_thickness_array});
+  return all;
+}
+
+[[noreturn]] void reject_value(const Case& settings, const LayerSettings& layers, const std::string& patch,
+                               const Taken& taken, const mesh::SurfaceMesh& surface, VertexId v, double value) {
+  const Vec3& p = surface.points[v];
+  throw InputError(fmt::format(
+      "{}: {}: {}: expected a number above 0 at every point of the patch, found {} in array \"{}\" at point {} "
+      "(counted "
+      "from 0) at ({:.6g}, {:.6g}, {:.6g}) of the file; set it there, or give the patch a number of its own",
+      layers.where.empty() ? settings.file.string() : layers.where, title(patch), taken.key, value, taken.length.array,
+      v.index(), p.x(), p.y(), p.z()));
+}
+
+}  // namespace
+
+std::vector<std::string> point_arrays(const Case& settings) {
+  std::vector<std::string> names;
+  const auto add = [&](const LayerSettings& layers) {
+    for (const Taken& taken : taken_by(layers)) {
+      if (std::find(names.begin(), names.end(), taken.length.array) == names.end()) names.push_back(taken.length.array);
+    }
+  };
+  add(settings.layers);
+  for (const PatchRule& rule : settings.patches) add(rule.layers);
+  return names;
+}
+
+void check_point_arrays(const Case& settings, const mesh::SurfaceMesh& surface) {
+  const auto names = point_arrays(settings);
+  if (names.empty()) return;
+  const auto patches = settings_of_patches(settings, surface.patch_names.raw());
+  std::vector<char> is_marked;
+  for (const PatchLayers& patch : patches) {
+    is_marked.push_back(patch.type == PatchType::Wall && !taken_by(patch.layers).empty());
+  }
+  const auto vertices = vertices_of(surface, is_marked);
+  for (const PatchId patch : vertices.ids()) {
+    const LayerSettings& layers = patches[patch.index()].layers;
+    for (const Taken& taken : taken_by(layers)) {
+      const auto place = std::find(names.begin(), names.end(), taken.length.array) - names.begin();
+      const auto& values = surface.point_arrays[static_cast<std::size_t>(place)].values;
+      for (const VertexId v : vertices[patch]) {
+        const double length = values[v] * settings.surface.scale * taken.length.factor;
+        if (length > 0 && std::isfinite(length)) continue;
+        reject_value(settings, layers, surface.patch_names[patch], taken, surface, v, values[v]);
+      }
+    }
+  }
+}
+
+std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::SurfaceMesh& surface,
+                                           const mesh::Topology& topology) {
+  const auto of_patches = settings_of_patches(settings, surface.patch_names.raw());
+  const auto arrays = point_arrays(settings);
+  std::vector<char> is_marked;
+  bool any_isotropic = false;
+  for (const PatchLayers& patch : of_patches) {
+    is_marked.push_back(patch.type == PatchType::Wall && needs_vertices(patch.layers));
+    any_isotropic = any_isotropic || (is_marked.back() && patch.layers.until == Until::Isotropic);
+  }
+  auto vertices = vertices_of(surface, is_marked);
+  const auto isotropic_heights =
+      any_isotropic ? layers::isotropic_heights(surface, topology) : IdVector<VertexId, double>();
+  std::vector<PatchSettings> patches;
+  for (const PatchId p : surface.patch_names.ids()) {
+    const PatchLayers& from = of_patches[p.index()];
+    PatchSettings& patch = patches.emplace_back();
+    patch.type = from.type;
+    // A repair may have dropped all triangles of a patch: then there is nobody to ask.
+    if (is_marked[p.index()] && vertices[p].empty()) patch.type = PatchType::NoLayer;
+    if (patch.type != PatchType::Wall) continue;
+    set_schedule(settings, from.layers, title(surface.patch_names[p]),
+                 {surface, arrays, isotropic_heights, std::move(vertices[p])}, patch);
+    set_rest(from.layers, patch);
+  }
+  return patches;
+}
+
+std::vector<PatchSettings> resolve_patches(const Case& settings, std::span<const std::string> patch_names) {
+  // Heights that depend on no vertex need no surface either.
+  mesh::SurfaceMesh surface;
+  for (const std::string& name : patch_names) surface.patch_names.push_back(name);
+  const auto of_patches = settings_of_patches(settings, patch_names);
+  for (std::size_t p = 0; p < patch_names.size(); ++p) {
+    if (of_patches[p].type == PatchType::Wall && needs_vertices(of_patches[p].layers)) {
+      throw InputError(fmt::format("{}: {}: the heights follow from the surface, which is not there",
+                                   settings.file.string(), title(patch_names[p])));
+    }
+  }
+  return resolve_patches(settings, surface, mesh::Topology(surface));
+}
+
+}  // namespace nearwall

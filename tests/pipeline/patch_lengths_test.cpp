@@ -1,0 +1,289 @@
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/io/polydata_writer.h"
+#include "nearwall/layers/isotropic.h"
+#include "nearwall/pipeline/run.h"
+#include "nearwall/shapes/shapes.h"
+#include "tests/pipeline/scratch_folder.h"
+
+// Lengths that vertices have of their own, from the case file to the report.
+
+namespace nearwall {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::ThrowsMessage;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A sphere of radius 1 with two arrays, and what a case says of it.
+class PatchLengths : public testing::Test {
+ protected:
+  PatchLengths() : surface_(shapes::make_shape("sphere", {}, 0.3)) {
+    set("H", [](const Vec3& p) { return 0.002 * (1.5 + p.x()); });
+    set("T", [](const Vec3& p) { return 0.1 * (1.2 + p.z()); });
+  }
+
+  void set(const std::string& name, const std::function<double(const Vec3&)>& value) {
+    mesh::PointArray array{name, {}};
+    for (const Vec3& p : surface_.points) array.values.push_back(value(p));
+    surface_.point_arrays.push_back(std::move(array));
+  }
+
+  /// Settings in force on the sphere.
+  PatchSettings resolved(const std::string& layers) const {
+    const Case c = parse(layers);
+    mesh::SurfaceMesh read = surface_;
+    read.point_arrays.clear();
+    for (const std::string& name : point_arrays(c)) {
+      for (const auto& array : surface_.point_arrays) {
+        if (array.name == name) read.point_arrays.push_back(array);
+      }
+    }
+    check_point_arrays(c, read);
+    return resolve_patches(c, read, mesh::Topology(read)).front();
+  }
+
+  std::string rejection(const std::string& layers) const {
+    try {
+      resolved(layers);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "accepted";
+  }
+
+  static Case parse(const std::string& layers) {
+    return parse_case("[surface]\nfile = \"ball.vtp\"\n[layers]\n" + layers, "case.toml");
+  }
+
+  /// The point at which T is largest.
+  Vec3 top() const {
+    return *std::max_element(surface_.points.begin(), surface_.points.end(),
+                             [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  }
+  double largest(std::size_t array) const {
+    const auto& values = surface_.point_arrays[array].values;
+    return *std::max_element(values.begin(), values.end());
+  }
+
+  mesh::SurfaceMesh surface_;
+};
+
+TEST_F(PatchLengths, AreReadOnlyWhereTheyAreNamed) {
+  EXPECT_TRUE(point_arrays(parse("first_height = 1e-3\n")).empty());
+  EXPECT_EQ(point_arrays(parse("first_height = { array = \"H\" }\ntotal_thickness.array = \"T\"\n[patches.sphere]\n"
+                               "first_height = { array = \"T\", factor = 0.5 }\n[patches.\"s*\"]\ntotal_thickness = { "
+                               "array = \"U\" }\n")),
+            (std::vector<std::string>{"H", "T", "U"}));
+}
+
+TEST_F(PatchLengths, OfOneKindScaleTheWholeStack) {
+  const PatchSettings first = resolved("first_height = { array = \"H\", factor = 2 }\ngrowth = 1.3\ncount = 7\n");
+  EXPECT_DOUBLE_EQ(first.schedule.first_height, 2 * largest(0));
+  EXPECT_EQ(first.schedule.count, 7);
+  EXPECT_DOUBLE_EQ(first.schedule.growth, 1.3);
+  ASSERT_TRUE(first.first_height);
+  EXPECT_EQ(first.first_height->array, 0u);
+  EXPECT_EQ(first.first_height->factor, 2);
+  EXPECT_FALSE(first.total_thickness);
+  const PatchSettings total = resolved("total_thickness = { array = \"T\" }\ncount = 7\n");
+  EXPECT_DOUBLE_EQ(total.schedule.total_thickness, largest(1));
+  EXPECT_DOUBLE_EQ(total.largest_thickness, largest(1));
+  EXPECT_DOUBLE_EQ(total.schedule.growth, 1.2);
+  EXPECT_FALSE(total.first_height);
+  const PatchSettings table = resolved("total_thickness = { array = \"T\" }\nheights = [1, 2, 4]\n");
+  EXPECT_EQ(table.schedule.heights, (std::vector<double>{1, 2, 4})) << "its form counts";
+}
+
+TEST_F(PatchLengths, OfBothKindsHaveTheCountOfTheLargestRatio) {
+  double largest = 0;
+  for (const Vec3& p : surface_.points) largest = std::max(largest, 0.1 * (1.2 + p.z()) / (0.002 * (1.5 + p.x())));
+  const PatchSettings p = resolved("first_height = { array = \"H\" }\ntotal_thickness = { array = \"T\" }\n");
+  const auto thickness = [](double growth, int n) { return (std::pow(growth, n) - 1) / (growth - 1); };
+  EXPECT_GE(thickness(1.2, p.schedule.count), largest * (1 - 1e-4));
+  EXPECT_LT(thickness(1.2, p.schedule.count - 1), largest);
+  EXPECT_NEAR(p.schedule.total_thickness / p.schedule.first_height, largest, 1e-9 * largest);
+  EXPECT_LE(p.schedule.growth, 1.2);
+  const PatchSettings counted =
+      resolved("first_height = { array = \"H\" }\ntotal_thickness = { array = \"T\" }\ncount = 12\n");
+  EXPECT_EQ(counted.schedule.count, 12);
+  EXPECT_NEAR(thickness(counted.schedule.growth, 12), largest, 1e-9 * largest);
+}
+
+TEST_F(PatchLengths, MayBeANumberAndAnArray) {
+  const PatchSettings p = resolved("first_height = 1e-3\ntotal_thickness = { array = \"T\" }\n");
+  ASSERT_TRUE(p.first_height && p.total_thickness);
+  EXPECT_FALSE(p.first_height->array);
+  EXPECT_EQ(p.first_height->factor, 1e-3);
+  EXPECT_NEAR(p.schedule.total_thickness, largest(1), 1e-12);
+  const PatchSettings by_y_plus = resolved(
+      "y_plus = 1\ntotal_thickness = { array = \"T\" }\n[flow]\nvelocity = 50\nkinematic_viscosity = "
+      "1.5e-5\nreference_length = 1\n");
+  EXPECT_NEAR(by_y_plus.schedule.total_thickness, largest(1), 1e-12);
+  EXPECT_DOUBLE_EQ(by_y_plus.first_height->factor, by_y_plus.schedule.first_height);
+}
+
+TEST_F(PatchLengths, ThatAreTooThinForTheirLayersAreUniform) {
+  const PatchSettings p = resolved("first_height = 0.1\ntotal_thickness = { array = \"T\" }\ncount = 5\n");
+  EXPECT_EQ(p.schedule.growth, 1);
+  EXPECT_EQ(p.schedule.count, 5);
+  EXPECT_EQ(resolved("first_height = 0.5\ntotal_thickness = { array = \"T\" }\n").schedule.count, 1);
+}
+
+TEST_F(PatchLengths, NameThePlaceThatWouldHaveToGrowTooMuch) {
+  const Vec3 p = top();
+  EXPECT_THAT(
+      rejection("first_height = 1e-5\ntotal_thickness = { array = \"T\" }\ncount = 5\n"),
+      AllOf(StartsWith(fmt::format("case.toml:4:1: layers of patch \"sphere\": at ({:.6g}, {:.6g}, {:.6g}), where "
+                                   "first_height is 1e-05 and total_thickness {:.6g}: 5 layers from first_height "
+                                   "= 1e-05 would have to grow by more than 2 each",
+                                   p.x(), p.y(), p.z(), largest(1))),
+            HasSubstr("raise count")));
+  EXPECT_THAT(rejection("first_height = 1e-3\nheights = [1, 2, 4]\n"), HasSubstr("takes heights alone"));
+}
+
+TEST_F(PatchLengths, HaveToBeAboveZeroWhereThereAreLayers) {
+  const Vec3 place = top();
+  for (const double bad : {0.0, -1.0, std::nan(""), kInfinity}) {
+    surface_.point_arrays.clear();
+    set("H", [&](const Vec3& p) { return p == place ? bad : 0.001; });
+    EXPECT_THAT(
+        rejection("first_height = { array = \"H\" }\n"),
+        AllOf(StartsWith("case.toml:4:1: layers of patch \"sphere\": first_height: expected a number above 0 at "
+                         "every point of the patch, found "),
+              HasSubstr("in array \"H\" at point "),
+              HasSubstr(fmt::format("at ({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z()))));
+    EXPECT_EQ(
+        rejection("first_height = 1e-3\n[patches.sphere]\nfirst_height = { array = \"H\" }\ntype = \"nolayer\"\n"),
+        "accepted")
+        << "there is no layer to be";
+  }
+  surface_.point_arrays.clear();
+  set("H", [](const Vec3&) { return 1e-200; });
+  EXPECT_THAT(rejection("first_height = { array = \"H\", factor = 1e-200 }\n"), HasSubstr("found 1e-200"));
+}
+
+TEST_F(PatchLengths, GiveWayToThoseOfThePatch) {
+  const std::string base = "first_height = { array = \"H\" }\ncount = 4\n[patches.sphere]\n";
+  EXPECT_EQ(resolved(base + "first_height = 1e-3\n").schedule.first_height, 1e-3);
+  EXPECT_FALSE(resolved(base + "first_height = 1e-3\n").first_height);
+  const PatchSettings until = resolved(
+      "total_thickness = 0.1\ngrowth = 1.3\n[patches.sphere]\nfirst_height = 1e-3\n"
+      "until = \"isotropic\"\n");
+  EXPECT_TRUE(until.is_until_isotropic);
+  const PatchSettings thick = resolved(
+      "first_height = 1e-3\nuntil = \"isotropic\"\n[patches.sphere]\ntotal_thickness = "
+      "0.1\n");
+  EXPECT_FALSE(thick.is_until_isotropic) << "what is inherited gives way";
+  EXPECT_NEAR(thick.schedule.total_thickness, 0.1, 1e-12);
+}
+
+TEST_F(PatchLengths, UntilIsotropicHaveTheCountOfTheWidestTriangles) {
+  const auto heights = layers::isotropic_heights(surface_, mesh::Topology(surface_));
+  const double widest = *std::max_element(heights.begin(), heights.end());
+  for (const char* more : {"", "law = \"accelerating\"\n", "growth = 1.05\n"}) {
+    const PatchSettings p = resolved(std::string("first_height = 1e-3\nuntil = \"isotropic\"\n") + more);
+    const auto& h = p.schedule.heights;
+    const double ratio = h.back() / h[h.size() - 2];
+    EXPECT_LE(std::abs(std::log(h.back() / widest)), 0.5 * std::log(ratio) * 1.1) << more;
+  }
+  EXPECT_EQ(resolved("first_height = 1e-3\nuntil = \"isotropic\"\ncount = 6\n").schedule.count, 6) << "at most";
+  EXPECT_EQ(resolved("heights = [0.1, 0.2, 0.4, 0.8]\nuntil = \"isotropic\"\n").schedule.count, 2);
+  EXPECT_THAT(rejection("first_height = 1e-3\ngrowth = 1\nuntil = \"isotropic\"\n"),
+              HasSubstr("1000 layers are not enough"));
+  EXPECT_EQ(resolved("first_height = 10\nuntil = \"isotropic\"\n").schedule.count, 2) << "so that one may start late";
+}
+
+/// Runs of the program's library on a file of the surface.
+class RunWithLengths : public PatchLengths {
+ protected:
+  RunWithLengths() { write("ball.vtp"); }
+
+  void write(const std::string& name) const {
+    io::PolyDataFile file = io::polydata_of(surface_);
+    for (const auto& array : surface_.point_arrays) file.point_data.push_back({array.name, array.values.raw()});
+    io::write_polydata(folder_ / name, file);
+  }
+
+  Report run_case(const std::string& text) const {
+    Case c = parse_case(text, folder_ / "case.toml");
+    c.output.pictures = false;
+    return run(c, RunOptions{folder_ / "out", false, true});
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(RunWithLengths, MeetsWhatEachTriangleWasAskedFor) {
+  const Report r = run_case(
+      "[surface]\nfile = \"ball.vtp\"\nscale = 4\n[layers]\nfirst_height = { array = \"H\", factor = 0.5 }\n"
+      "total_thickness = { array = \"T\" }\n");
+  ASSERT_EQ(r.patches.size(), 1u);
+  const quality::PatchCoverage& c = r.patches[0].coverage;
+  EXPECT_TRUE(r.certified);
+  EXPECT_EQ(c.full_percent, 100);
+  EXPECT_EQ(c.first_height_met_percent, 100);
+  EXPECT_NEAR(c.asked_first_height.min, 4 * 0.5 * 0.002 * 0.5, 0.2 * c.asked_first_height.min);
+  EXPECT_NEAR(c.asked_first_height.max, 4 * 0.5 * 0.002 * 2.5, 0.1 * c.asked_first_height.max);
+  EXPECT_EQ(c.asked.first_height, c.asked_first_height.median);
+  const auto json = nlohmann::json::parse(std::ifstream(folder_ / "out/report.json"));
+  EXPECT_EQ(json["case"]["layers"]["first_height"]["array"], "H");
+  EXPECT_EQ(json["case"]["layers"]["first_height"]["factor"], 0.5);
+  EXPECT_EQ(json["patches"]["sphere"]["first_height"]["asked"], c.asked.first_height);
+  EXPECT_EQ(json["patches"]["sphere"]["first_height"]["asked_range"][0], c.asked_first_height.min);
+}
+
+TEST_F(RunWithLengths, SaysWhatTheFileDoesNotHave) {
+  const auto running = [&](const std::string& array) {
+    return [=, this] {
+      run_case("[surface]\nfile = \"ball.vtp\"\n[layers]\nfirst_height = { array = \"" + array + "\" }\n");
+    };
+  };
+  EXPECT_THAT(running("HH"),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("no point array \"HH\""), HasSubstr("nearest: \"H\""))));
+}
+
+TEST_F(RunWithLengths, UntilIsotropicCountAsFull) {
+  const Report r = run_case(
+      "[surface]\nfile = \"ball.vtp\"\n[layers]\nfirst_height = { array = \"H\" }\nuntil = "
+      "\"isotropic\"\nmin_coverage = 100\n");
+  const quality::PatchCoverage& c = r.patches[0].coverage;
+  EXPECT_TRUE(r.certified);
+  EXPECT_EQ(c.full_percent, 100);
+  EXPECT_EQ(c.all_layers_percent, 100);
+  EXPECT_FALSE(r.is_short_of_coverage());
+  EXPECT_LT(c.mean_layers, c.asked.count) << "first heights differ fivefold, triangles hardly";
+  EXPECT_EQ(r.n_cells(), r.forecast.n_cells) << "the forecast knows where lines end";
+  EXPECT_EQ(r.points, r.forecast.n_points);
+  EXPECT_EQ(r.limited.n_limited(), 0u);
+}
+
+TEST_F(RunWithLengths, ChangeNothingWhereAllAreTheSame) {
+  surface_.point_arrays.clear();
+  set("H", [](const Vec3&) { return 0.001; });
+  write("flat.vtp");
+  const std::string rest = "[layers]\ngrowth = 1.25\ncount = 9\n";
+  run_case("[surface]\nfile = \"flat.vtp\"\n" + rest + "first_height = 0.001\n");
+  const auto read = [&] {
+    std::ifstream in(folder_ / "out/flat.vtu", std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string with_number = read();
+  run_case("[surface]\nfile = \"flat.vtp\"\n" + rest + "first_height.array = \"H\"\n");
+  EXPECT_EQ(with_number, read()) << "bit for bit";
+}
+
+}  // namespace
+}  // namespace nearwall
