@@ -23,6 +23,11 @@ constexpr double kBallRadius = 2 / kFilled - 1;
 /// A wall that limits a line is met by the ball at the lowered end once more, with hardly any change after that.
 constexpr int kMostBalls = 2;
 
+/// Cosine from which a wall faces a line for the ball: one seen more edge-on stands beside the line, as at a concave
+/// corner, from which lines lean away. Any value from 0 to 0.25 does the same on real surfaces; not 0, for there
+/// rounding would tell the two sides of a square corner apart.
+constexpr double kLeastFacing = 0.1;
+
 /// Where a line and another wall would be equally far from their fronts' meeting.
 struct Meeting {
   double thickness = 0;  ///< of both, if both take the same
@@ -84,7 +89,7 @@ class GapLimiter {
       box.include(centre + reach);
       bool is_lowered = false;
       for (const FaceId f : tree_.faces_near(box)) {
-        if (has_corner(f, v) || !faces(f, d)) continue;
+        if (has_corner(f, v) || !(dot(wall_.features.face_normal[f], d) < -kLeastFacing)) continue;
         const Vec3 q = tree_.nearest_on(f, centre);
         // Seen from behind it is a far side of v's own body.
         if (!(distance(q, centre) < radius) || !(dot(wall_.features.face_normal[f], p - q) > 0)) continue;

@@ -2,35 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "layers/vertex_field.h"
-#include "tests/support/gallery.h"
+#include "tests/layers/asked.h"
 
 namespace nearwall::layers {
 namespace {
 
 using growing_for_tests::options_for;
 using growing_for_tests::TestWall;
-
-/// A wall, what is asked of it, and its lines before any limit.
-struct Asked {
-  explicit Asked(mesh::SurfaceMesh surface, double total, bool inside = false)
-      : wall(std::move(surface), inside),
-        heights(growing_for_tests::geometric(total, 1.2, 10)),
-        options(options_for(wall.surface(), heights)),
-        stacks(options.schedules),
-        field(ask(wall.wall(), options, stacks)) {
-    options.filter = surface::SmoothingFilter::None;
-    plan = set_lines(wall.wall(), options, field, normals, sweeps);
-  }
-  TestWall wall;
-  std::vector<double> heights;
-  GrowOptions options;
-  Stacks stacks;
-  VertexField field;
-  IdVector<VertexId, surface::PointNormal> normals;
-  int sweeps = 0;
-  LinePlan plan;
-};
 
 TEST(SetLines, StretchesLinesSoThatHeightsAreNormalToTheWall) {
   const Asked a(shapes_for_tests::cube(), 0.01);
@@ -80,53 +58,6 @@ TEST(LimitByCurvature, LowersTheTwoLinesThatCrossAndNotTheFarOne) {
     n_mixed += n_full == 1;
   }
   EXPECT_GT(n_mixed, 0u) << "triangles of which one line keeps all of its length";
-}
-
-TEST(LimitByGaps, SharesAGapFairly) {
-  const double gap = 0.1;
-  Asked a(gallery::catalogued("two-boxes", {{"gap", gap}}, 0.25), 0.3);
-  limit_by_gaps(a.wall.wall(), a.plan, a.field);
-  std::size_t n_limited = 0;
-  for (const VertexId v : a.wall.surface().points.ids()) {
-    if (a.field.reason[v] != mesh::LimitReason::Gap) continue;
-    ++n_limited;
-    EXPECT_NEAR(a.field.thickness[v], 0.45 * gap, 1e-12);
-  }
-  EXPECT_GE(n_limited, 2u * 9u) << "the inner vertices of the two faces that look at each other";
-}
-
-TEST(LimitByGaps, SeesWhatTheFacesOfACornerLookAt) {
-  // Corner lines of two aligned cubes run along the diagonal, past the other cube.
-  Asked a(shapes_for_tests::joined(shapes_for_tests::cube(), shapes_for_tests::cube(0.5, {1.001, 0, 0})), 0.3);
-  limit_by_gaps(a.wall.wall(), a.plan, a.field);
-  for (const VertexId v : a.wall.surface().points.ids()) {
-    const double x = a.wall.surface().points[v].x();
-    const bool at_the_gap = x > 0.4 && x < 0.6;
-    EXPECT_NEAR(a.field.thickness[v], at_the_gap ? 0.45 * 0.001 : 0.3, 1e-12);
-  }
-}
-
-TEST(LimitByGaps, TakesNoNoticeOfTheWallBesideAConcaveCorner) {
-  Asked a(gallery::catalogued("block-on-floor", {}, 0.25), 0.05);
-  limit_by_gaps(a.wall.wall(), a.plan, a.field);
-  for (const VertexId v : a.wall.surface().points.ids()) EXPECT_EQ(a.field.reason[v], mesh::LimitReason::None);
-}
-
-TEST(Grade, BoundsTheSlopeOfTheThicknessEverywhere) {
-  const mesh::SurfaceMesh sphere = shapes_for_tests::sphere(4);
-  Asked a(sphere, 0.8);
-  a.field.lower(VertexId(7), 0.01, mesh::LimitReason::Gap);
-  const auto lowered = grade(a.wall.wall(), a.field, {VertexId(7)});
-  EXPECT_FALSE(lowered.empty());
-  for (const FaceId f : sphere.faces.ids()) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId v = sphere.faces[f][k], u = sphere.faces[f][(k + 1) % 3];
-      EXPECT_LE(std::abs(a.field.thickness[v] - a.field.thickness[u]),
-                distance(sphere.points[v], sphere.points[u]) * (1 + 1e-12));
-    }
-  }
-  EXPECT_EQ(a.field.thickness[VertexId(7)], 0.01);
-  for (const VertexId v : lowered) EXPECT_EQ(a.field.reason[v], mesh::LimitReason::Neighbour);
 }
 
 TEST(Ask, GivesTheEdgeOfTwoPatchesTheSmallerStack) {
