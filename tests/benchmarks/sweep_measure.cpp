@@ -113,20 +113,21 @@ void sum_up(const layers::Wall& wall, const layers::Growth& growth,
   for (double& percent : limits.limit_percent) percent /= area;
 }
 
-/// The thinnest of the triangles with the largest reason.
+/// The largest of the triangles with the largest reason.
 void find_worst(const layers::Wall& wall, const IdVector<FaceId, quality::FaceCoverage>& faces,
                 const quality::PatchCoverage& limits, Row& row) {
   const auto largest = std::max_element(limits.limit_percent.begin(), limits.limit_percent.end());
   const auto reason = static_cast<mesh::LimitReason>(largest - limits.limit_percent.begin());
-  FaceId worst;
+  double largest_area = 0;
   for (const FaceId f : wall.surface.faces.ids()) {
     if (!wall.is_wetted[f] || faces[f].is_full || faces[f].reason != reason) continue;
-    if (!worst.is_valid() || faces[f].thickness < faces[worst].thickness) worst = f;
+    const auto [a, b, c] = wall.surface.triangle(f);
+    const double area = geometry::triangle_area(a, b, c);
+    if (area <= largest_area) continue;
+    largest_area = area;
+    row.worst_place = (a + b + c) / 3;
+    row.worst_normal = geometry::triangle_normal(a, b, c);
   }
-  if (!worst.is_valid()) return;
-  const auto [a, b, c] = wall.surface.triangle(worst);
-  row.worst_place = (a + b + c) / 3;
-  row.worst_normal = geometry::triangle_normal(a, b, c);
 }
 
 Row measure(const layers::Wall& wall, const layers::Growth& growth, const std::vector<double>& heights) {

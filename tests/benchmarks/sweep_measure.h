@@ -29,7 +29,7 @@ struct Row {
   double largest_growth = 0;  ///< upper over lower height of successive layers, the largest of all lines
   int n_reasons = 0;          ///< different reasons of limited triangles
   std::string limits;         ///< the largest of them with their shares
-  Vec3 worst_place;           ///< the thinnest of the triangles with the largest reason
+  Vec3 worst_place;           ///< the largest of the triangles with the largest reason
   Vec3 worst_normal;          ///< of the wall there
   double diagonal = 0;        ///< of the surface's bounding box [length]
   double lines = 0;           ///< for a vertex
