@@ -20,9 +20,9 @@ trap 'rm -rf "$work"' EXIT
 "$sweep" --schedule S --schedule R --root "$surfaces" --exclude "$left_out" --every "$every" --ablation \
   --ablation-markdown "$work/ablation.md" "$surfaces" > "$work/ablation.txt"
 
-# A box of a quarter of the diagonal round a place; a view along the normal there, from somewhat aside; and a plane that
+# A box of a third of the diagonal round a place; a view along the normal there, from somewhat aside; and a plane that
 # takes away what would stand before it.
-box_round() { awk -v p="$1" -v d="$2" 'BEGIN { split(p, c, ","); h = 0.125 * d;
+box_round() { awk -v p="$1" -v d="$2" 'BEGIN { split(p, c, ","); h = 0.18 * d;
   printf "%g,%g,%g,%g,%g,%g", c[1]-h, c[2]-h, c[3]-h, c[1]+h, c[2]+h, c[3]+h }'; }
 view_along() { awk -v n="$1" 'BEGIN { split(n, c, ","); l = sqrt(c[1]^2 + c[2]^2 + c[3]^2); if (l == 0) l = 1;
   printf "%g,%g,%g", c[1]/l + 0.2, c[2]/l - 0.25, c[3]/l + 0.15 }'; }
@@ -75,8 +75,8 @@ TEXT
 
 ## The ten with least at full thickness under S
 
-Close up at the largest triangle of the largest reason. Colours: `LimitReason`, 0 none, 1 visibility, 2 curvature, 3 gap, 4 neighbour, 5 quality, 6 patch
-edge, 7 intersection. What each means and what helps: [layers.md](layers.md).
+Close up at the largest triangle of the largest reason. Colours: `LimitReason`, 0 none, 1 visibility, 2 curvature, 3 gap, 4 neighbour,
+5 quality, 6 patch edge, 7 intersection. What each means and what helps: [layers.md](layers.md).
 
 | surface | full % | all % | first % | largest reason, % of the area | where |
 | --- | ---: | ---: | ---: | --- | --- |
