@@ -24,19 +24,19 @@ constexpr double kBallRadius = 2 / kFilled - 1;
 constexpr int kMostBalls = 2;
 
 /// Cosine from which a wall faces a line for the ball: one seen more edge-on stands beside the line, as at a concave
-/// corner, from which lines lean away. Any value from 0 to 0.25 does the same on real surfaces; not 0, for there
-/// rounding would tell the two sides of a square corner apart.
+/// corner, from which lines lean away. On real surfaces 0 does the same, but there rounding would tell the two sides of
+/// a square corner apart.
 constexpr double kLeastFacing = 0.1;
 
-/// Where a line and another wall would be equally far from their fronts' meeting.
+/// The end of a line that is as far from another wall as the line is thick.
 struct Meeting {
   double thickness = 0;  ///< of both, if both take the same
-  double rate = 0;       ///< by how much the other front must stay lower for each unit that this one rises
+  double rate = 0;       ///< of the way to the other wall that the line loses for each unit by which it is thicker
 };
 
 /// Thickness at which the end of the line from p along s d is as far from q as the line is thick; nullopt if it moves
 /// away from q or never comes so near. With w = p - q: (s² - 1) t² + 2 s (d·w) t + w² = 0, and the ball of that radius
-/// round the end touches both walls. Source: docs/theory/layers.md, Eq. (3)
+/// round the end touches both walls. Source: docs/theory/layers.md, Eq. (5)
 std::optional<Meeting> meeting_with(const Vec3& p, const Vec3& d, double s, const Vec3& q) {
   const Vec3 w = p - q;
   const double a = s * s - 1, b = s * dot(d, w), c = squared_norm(w);
@@ -109,7 +109,7 @@ class GapLimiter {
   bool faces(FaceId f, const Vec3& d) const { return dot(wall_.features.face_normal[f], d) < 0; }
 
   /// The equal share, and what the other side leaves of its own. Its layers are taken for as thick as at its corner
-  /// where most is asked.
+  /// where most is asked. Source: docs/theory/layers.md, Eq. (6)
   double share(FaceId other, const Meeting& meeting) const {
     const double equal = kFilled * meeting.thickness;
     double asked = 0;

@@ -12,7 +12,7 @@ namespace {
 using mesh::LimitReason;
 
 /// Rates at which thickness may rise along the surface from a vertex, by why it is thin there: docs/theory/layers.md,
-/// section 4, has the figures. From one in a gap a front that rises by 45 degrees over a flat wall: its neighbours look
+/// section 7, has the figures. From one in a gap a front that rises by 45 degrees over a flat wall: its neighbours look
 /// past the wall whose front they would meet. From a line that stays at the wall, as steep as the cells round it keep
 /// their quality. The others between.
 constexpr double kSlopeAtGap = 1.0;

@@ -51,7 +51,7 @@ std::vector<VertexId> limit_by_curvature(const Wall& wall, const LinePlan& plan,
 
 /// Keeps each line below its share of the gap to the next wall: half of it, and what the other side does not ask for.
 /// By a ray along the line, and a ball round its end for walls that the ray misses or meets obliquely. Cost: a few tree
-/// queries for each line. Source: docs/theory/layers.md, section 3.
+/// queries for each line. Source: docs/theory/layers.md, section 6.
 void limit_by_gaps(const Wall& wall, const LinePlan& plan, VertexField& field);
 
 /// Lowers neighbours so that thickness rises along the surface at a bounded rate, which depends on the reason for which
