@@ -10,7 +10,7 @@ build=${2:-build/release}
 docs=$(cd "$(dirname "$0")" && pwd)
 sweep=$build/tests/benchmarks/nearwall_coverage_sweep
 nearwall=$build/bin/nearwall
-every=4        # surfaces of the ablation: every so many
+every=3        # surfaces of the ablation: every so many
 left_out=_domain  # outer boundaries that enclose another surface of the folder
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -66,7 +66,7 @@ TEXT
 
 ## What each of the means contributes
 
-Every ${every}th surface again, each time with one of the means switched off. Limits that keep the mesh valid are never switched off:
+Every ${every}rd surface again, each time with one of the means switched off. Limits that keep the mesh valid are never switched off:
 without them the certificate takes away what they would have.
 
 TEXT
