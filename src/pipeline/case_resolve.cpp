@@ -22,20 +22,36 @@ void set_rest(const LayerSettings& layers, PatchSettings& patch) {
 
 std::string title(const std::string& name) { return fmt::format("layers of patch \"{}\"", name); }
 
-/// Vertices of the patches that are marked, each once, in increasing order.
+/// Vertices of groups of patches, each once, in increasing order.
+/// \param group  (n_patches) of each patch; invalid: of none
 IdVector<PatchId, std::vector<VertexId>> vertices_of(const mesh::SurfaceMesh& surface,
-                                                     const std::vector<char>& is_marked) {
-  IdVector<PatchId, std::vector<VertexId>> vertices(is_marked.size());
+                                                     const IdVector<PatchId, PatchId>& group) {
+  IdVector<PatchId, std::vector<VertexId>> vertices(group.size());
   for (const FaceId f : surface.faces.ids()) {
-    const PatchId patch = surface.face_patch[f];
-    if (!is_marked[patch.index()]) continue;
+    const PatchId patch = group[surface.face_patch[f]];
+    if (!patch.is_valid()) continue;
     for (const VertexId v : surface.faces[f]) vertices[patch].push_back(v);
   }
-  for (auto& of_patch : vertices) {
-    std::sort(of_patch.begin(), of_patch.end());
-    of_patch.erase(std::unique(of_patch.begin(), of_patch.end()), of_patch.end());
+  for (auto& of_group : vertices) {
+    std::sort(of_group.begin(), of_group.end());
+    of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
   }
   return vertices;
+}
+
+/// Of the patches whose heights depend on their vertices the first one with the same settings; invalid for the others.
+/// Patches alike share one stack, so that there is no step between them.
+IdVector<PatchId, PatchId> groups_of(const std::vector<PatchLayers>& patches) {
+  IdVector<PatchId, PatchId> group(patches.size());
+  for (const PatchId p : group.ids()) {
+    const PatchLayers& patch = patches[p.index()];
+    if (patch.type != PatchType::Wall || !needs_vertices(patch.layers)) continue;
+    const auto alike = std::find_if(patches.begin(), patches.end(), [&](const PatchLayers& other) {
+      return other.type == PatchType::Wall && other.layers == patch.layers;
+    });
+    group[p] = PatchId(static_cast<std::size_t>(alike - patches.begin()));
+  }
+  return group;
 }
 
 /// A length that a patch takes from an array.
@@ -80,11 +96,12 @@ void check_point_arrays(const Case& settings, const mesh::SurfaceMesh& surface) 
   const auto names = point_arrays(settings);
   if (names.empty()) return;
   const auto patches = settings_of_patches(settings, surface.patch_names.raw());
-  std::vector<char> is_marked;
-  for (const PatchLayers& patch : patches) {
-    is_marked.push_back(patch.type == PatchType::Wall && !taken_by(patch.layers).empty());
+  IdVector<PatchId, PatchId> itself(patches.size());
+  for (const PatchId patch : itself.ids()) {
+    const PatchLayers& p = patches[patch.index()];
+    if (p.type == PatchType::Wall && !taken_by(p.layers).empty()) itself[patch] = patch;
   }
-  const auto vertices = vertices_of(surface, is_marked);
+  const auto vertices = vertices_of(surface, itself);
   for (const PatchId patch : vertices.ids()) {
     const LayerSettings& layers = patches[patch.index()].layers;
     for (const Taken& taken : taken_by(layers)) {
@@ -103,25 +120,27 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
                                            const mesh::Topology& topology) {
   const auto of_patches = settings_of_patches(settings, surface.patch_names.raw());
   const auto arrays = point_arrays(settings);
-  std::vector<char> is_marked;
-  bool any_isotropic = false;
-  for (const PatchLayers& patch : of_patches) {
-    is_marked.push_back(patch.type == PatchType::Wall && needs_vertices(patch.layers));
-    any_isotropic = any_isotropic || (is_marked.back() && patch.layers.until == Until::Isotropic);
-  }
-  auto vertices = vertices_of(surface, is_marked);
+  const auto group = groups_of(of_patches);
+  const auto vertices = vertices_of(surface, group);
+  const bool any_isotropic = std::any_of(of_patches.begin(), of_patches.end(), [](const PatchLayers& p) {
+    return p.type == PatchType::Wall && p.layers.until == Until::Isotropic;
+  });
   const auto isotropic_heights =
       any_isotropic ? layers::isotropic_heights(surface, topology) : IdVector<VertexId, double>();
   std::vector<PatchSettings> patches;
   for (const PatchId p : surface.patch_names.ids()) {
     const PatchLayers& from = of_patches[p.index()];
+    if (group[p].is_valid() && group[p] != p) {
+      patches.push_back(patches[group[p].index()]);
+      continue;
+    }
     PatchSettings& patch = patches.emplace_back();
-    patch.type = from.type;
     // A repair may have dropped all triangles of a patch: then there is nobody to ask.
-    if (is_marked[p.index()] && vertices[p].empty()) patch.type = PatchType::NoLayer;
+    const bool is_empty = group[p].is_valid() && vertices[p].empty();
+    patch.type = is_empty ? PatchType::NoLayer : from.type;
     if (patch.type != PatchType::Wall) continue;
     set_schedule(settings, from.layers, title(surface.patch_names[p]),
-                 {surface, arrays, isotropic_heights, std::move(vertices[p])}, patch);
+                 {surface, arrays, isotropic_heights, vertices[p]}, patch);
     set_rest(from.layers, patch);
   }
   return patches;

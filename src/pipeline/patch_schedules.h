@@ -14,7 +14,7 @@ struct PatchVertices {
   const mesh::SurfaceMesh& surface;                     ///< with the point arrays of the case
   const std::vector<std::string>& arrays;               ///< their names
   const IdVector<VertexId, double>& isotropic_heights;  ///< (n_vertices); empty if no patch needs them
-  std::vector<VertexId> vertices;                       ///< of the patch; empty if its heights do not depend on them
+  std::span<const VertexId> vertices;  ///< of the patch and those alike; empty if its heights do not depend on them
 };
 
 /// Whether the heights of a patch depend on its vertices.

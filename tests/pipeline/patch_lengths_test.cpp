@@ -245,6 +245,43 @@ TEST_F(RunWithLengths, MeetsWhatEachTriangleWasAskedFor) {
   EXPECT_EQ(json["patches"]["sphere"]["first_height"]["asked_range"][0], c.asked_first_height.min);
 }
 
+TEST(LengthsOfPatches, AreOneStackWhereTheSettingsAreTheSame) {
+  mesh::SurfaceMesh box = shapes::make_shape("box", {}, 0.2);
+  mesh::PointArray array{"T", {}};
+  for (const Vec3& p : box.points) array.values.push_back(0.01 * (2 + p.x()));
+  box.point_arrays.push_back(array);
+  const Case c = parse_case(
+      "[surface]\nfile = \"box.vtp\"\n[layers]\nfirst_height = 1e-4\ntotal_thickness = { array = \"T\" }\n"
+      "[patches.y-max]\ngrowth = 1.3\n",
+      "case.toml");
+  const auto patches = resolve_patches(c, box, mesh::Topology(box));
+  int n_others = 0;
+  for (const PatchId p : box.patch_names.ids()) {
+    const bool is_other = box.patch_names[p] == "y-max";
+    n_others += is_other;
+    EXPECT_EQ(patches[p.index()].schedule.heights == patches[0].schedule.heights, !is_other) << box.patch_names[p];
+  }
+  EXPECT_EQ(n_others, 1);
+}
+
+TEST(LengthsOfPatches, AreNumbersOfTheirOwn) {
+  const ScratchFolder folder;
+  io::write_polydata(folder / "box.vtp", io::polydata_of(shapes::make_shape("box", {}, 0.1)));
+  Case c = parse_case(
+      "[surface]\nfile = \"box.vtp\"\n[layers]\nfirst_height = 1e-4\ncount = 8\n[patches.x-max]\n"
+      "first_height = 2e-4\n[patches.z-max]\ntotal_thickness = 4e-3\n",
+      folder / "case.toml");
+  c.output.pictures = false;
+  const Report r = run(c, RunOptions{folder / "out", false, true});
+  const auto sum = [](double growth) { return (std::pow(growth, 8) - 1) / (growth - 1); };
+  for (const PatchReport& patch : r.patches) {
+    const bool is_higher = patch.name == "x-max", is_thicker = patch.name == "z-max";
+    EXPECT_NEAR(patch.coverage.first_height.median, is_higher ? 2e-4 : 1e-4, 1e-9) << patch.name;
+    EXPECT_NEAR(patch.coverage.thickness.median, is_thicker ? 4e-3 : (is_higher ? 2e-4 : 1e-4) * sum(1.2), 1e-8);
+    EXPECT_EQ(patch.coverage.asked.first_height, is_higher ? 2e-4 : 1e-4);
+  }
+}
+
 TEST_F(RunWithLengths, SaysWhatTheFileDoesNotHave) {
   const auto running = [&](const std::string& array) {
     return [=, this] {
@@ -268,6 +305,33 @@ TEST_F(RunWithLengths, UntilIsotropicCountAsFull) {
   EXPECT_EQ(r.n_cells(), r.forecast.n_cells) << "the forecast knows where lines end";
   EXPECT_EQ(r.points, r.forecast.n_points);
   EXPECT_EQ(r.limited.n_limited(), 0u);
+}
+
+TEST_F(RunWithLengths, FollowTheirPointsThroughWeldingAndRepair) {
+  // A soup whose triangles have points of their own, one of them twice, and a point that nothing uses in front.
+  io::PolyDataFile soup;
+  io::DataArray heights{"H", std::vector<double>{1e9}};
+  auto& values = std::get<std::vector<double>>(heights.values);
+  soup.points.emplace_back(9, 9, 9);
+  const auto add = [&](FaceId f) {
+    const auto n = static_cast<std::uint32_t>(soup.points.size());
+    soup.triangles.push_back({n, n + 1, n + 2});
+    for (const VertexId v : surface_.faces[f]) {
+      soup.points.push_back(surface_.points[v]);
+      values.push_back(surface_.point_arrays[0].values[v]);
+    }
+  };
+  add(FaceId(5));
+  for (const FaceId f : surface_.faces.ids()) add(f);
+  soup.point_data.push_back(heights);
+  io::write_polydata(folder_ / "soup.vtp", soup);
+  const std::string rest = "[layers]\nfirst_height = { array = \"H\" }\ncount = 5\n";
+  const Report whole = run_case("[surface]\nfile = \"ball.vtp\"\n" + rest);
+  const Report mended = run_case("[surface]\nfile = \"soup.vtp\"\nrepair = \"safe\"\n" + rest);
+  EXPECT_EQ(mended.surface.points, whole.surface.points);
+  EXPECT_EQ(mended.patches[0].coverage.asked_first_height.max, whole.patches[0].coverage.asked_first_height.max);
+  EXPECT_EQ(mended.patches[0].coverage.first_height_met_percent, 100);
+  EXPECT_NEAR(mended.patches[0].coverage.first_height.mean, whole.patches[0].coverage.first_height.mean, 1e-12);
 }
 
 TEST_F(RunWithLengths, ChangeNothingWhereAllAreTheSame) {

@@ -56,6 +56,7 @@ struct LayerSettings {
   bool has_total_thickness() const { return total_thickness || total_thickness_array; }
   /// `law`, or what follows without it: a table where heights are given, geometric otherwise.
   spacing::Law law_in_force() const;
+  friend bool operator==(const LayerSettings&, const LayerSettings&) = default;
 };
 
 /// One table [patches.NAME] of the case file.
