@@ -16,11 +16,8 @@ using mesh::Topology;
 /// Share of a gap that the two fronts in it may fill: a tenth of it stays free.
 constexpr double kFilled = 0.9;
 
-/// Radius per thickness of the ball round a front vertex in which walls count: nearer ones leave less than a tenth of
-/// the way free if their layers are as thick.
-constexpr double kBallRadius = 2 / kFilled - 1;
-
-/// A wall that limits a line is met by the ball at the lowered end once more, with hardly any change after that.
+/// The point of a wall that is nearest to the middle of one ball is met by a smaller one elsewhere: a second ball comes
+/// within a hundredth.
 constexpr int kMostBalls = 2;
 
 /// Cosine from which a wall faces a line for the ball: one seen more edge-on stands beside the line, as at a concave
@@ -81,14 +78,12 @@ class GapLimiter {
   void limit_by_balls(VertexId v, const Vec3& d, double s) {
     const Vec3& p = wall_.surface.points[v];
     for (int i = 0; i < kMostBalls; ++i) {
-      const Vec3 centre = p + d * (s * field_.thickness[v]);
-      const double radius = kBallRadius * field_.thickness[v];
-      const Vec3 reach(radius, radius, radius);
-      geometry::Box box;
-      box.include(centre - reach);
-      box.include(centre + reach);
+      // What lies outside of this ball leaves a tenth of the way free. It touches v's own wall, so it holds next to
+      // none of it, however thick the layers are.
+      const double radius = field_.thickness[v] / kFilled;
+      const Vec3 centre = p + d * (s * radius);
       bool is_lowered = false;
-      for (const FaceId f : tree_.faces_near(box)) {
+      for (const FaceId f : tree_.faces_near(centre, radius)) {
         if (has_corner(f, v) || !(dot(wall_.features.face_normal[f], d) < -kLeastFacing)) continue;
         const Vec3 q = tree_.nearest_on(f, centre);
         // Seen from behind it is a far side of v's own body.

@@ -83,6 +83,14 @@ std::vector<FaceId> WallTree::faces_near(const geometry::Box& box) const {
   return faces;
 }
 
+std::vector<FaceId> WallTree::faces_near(const Vec3& centre, double radius) const {
+  std::vector<FaceId> faces;
+  tree_->boxes.for_each([&](const geometry::Box& b) { return squared_distance(b, centre) <= radius * radius; },
+                        [&](std::size_t position) { faces.emplace_back(tree_->boxes.item(position)); });
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 Vec3 WallTree::nearest_on(FaceId face, const Vec3& p) const { return nearest_point(tree_->triangles[face.index()], p); }
 
 WallTree::Nearest WallTree::nearest(const Vec3& p) const {

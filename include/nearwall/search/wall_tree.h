@@ -36,6 +36,9 @@ class WallTree {
   /// Faces whose boxes meet the given box, in increasing order.
   std::vector<FaceId> faces_near(const geometry::Box& box) const;
 
+  /// Faces whose boxes come as near to the centre as the radius, in increasing order.
+  std::vector<FaceId> faces_near(const Vec3& centre, double radius) const;
+
   /// Point of one face nearest to p, to rounding; a corner bit for bit.
   Vec3 nearest_on(FaceId face, const Vec3& p) const;
 
