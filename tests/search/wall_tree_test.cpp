@@ -156,6 +156,39 @@ TEST(Nearest, IsNoFartherThanAnySampleAndLiesOnItsFace) {
   }
 }
 
+TEST(Nearest, OnAFaceIsThatOfTheWholeSurfaceOnTheNearestFace) {
+  std::mt19937 random(5);
+  const mesh::SurfaceMesh surface = surface_of(random_soup(30, 12, 0, 5));
+  const WallTree tree(surface);
+  for (int i = 0; i < 150; ++i) {
+    const Vec3 p = random_point(random);
+    const auto nearest = tree.nearest(p);
+    EXPECT_EQ(tree.nearest_on(nearest.face, p), nearest.point);
+    for (const FaceId f : surface.faces.ids()) {
+      EXPECT_GE(distance(tree.nearest_on(f, p), p), nearest.distance - kTolerance);
+    }
+  }
+}
+
+TEST(FacesNear, APointAreThoseWhoseBoxesABallMeets) {
+  std::mt19937 random(6);
+  const mesh::SurfaceMesh surface = surface_of(random_soup(200, 60, 0, 5));
+  const WallTree tree(surface);
+  for (const double radius : {0.0, 0.1, 0.5, 10.0}) {
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 centre = random_point(random);
+      std::vector<FaceId> expected;
+      for (const FaceId f : surface.faces.ids()) {
+        const geometry::Box box = geometry::bounding_box(surface.triangle(f));
+        Vec3 inside = centre;
+        for (int k = 0; k < 3; ++k) inside[k] = std::clamp(centre[k], box.low[k], box.high[k]);
+        if (distance(inside, centre) <= radius) expected.push_back(f);
+      }
+      EXPECT_EQ(tree.faces_near(centre, radius), expected);
+    }
+  }
+}
+
 TEST(Nearest, OfTheCubeIsItsCornersEdgesAndSides) {
   const WallTree tree(shapes_for_tests::cube(1.0));
   EXPECT_EQ(tree.nearest({2, 3, 4}).point, Vec3(1, 1, 1));
