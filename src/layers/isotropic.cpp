@@ -16,7 +16,7 @@ constexpr double kTetrahedronHeight = 0.816496580927726033;
 /// Area of an equilateral triangle over its edge squared: sqrt(3)/4.
 constexpr double kTriangleArea = 0.433012701892219324;
 
-/// Sweeps by which widths are evened out: docs/theory/layers.md, section 6, has the figures.
+/// Sweeps by which widths are evened out: docs/theory/asked.md, section 2, has the figures.
 constexpr int kSweeps = 4;
 
 /// Edge of the equilateral triangle that is as large as the mean of those round v.

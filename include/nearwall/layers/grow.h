@@ -26,7 +26,7 @@ struct VertexLength {
 };
 
 /// What is asked for on one patch. The stack of a vertex is that of the patch, scaled to the vertex's own first height
-/// or total thickness; with both of them its growth is lowered, too: docs/theory/layers.md, section 1.
+/// or total thickness; with both of them its growth is lowered, too: docs/theory/asked.md.
 struct PatchSchedule {
   bool has_layers = true;       ///< false: nolayer, or a component that the fluid cannot reach
   std::vector<double> heights;  ///< height of each layer from the wall up, > 0; empty if there are no layers
