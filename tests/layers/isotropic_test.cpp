@@ -98,10 +98,12 @@ class UntilIsotropicOnShapes : public testing::TestWithParam<gallery::Shape> {};
 TEST_P(UntilIsotropicOnShapes, IsCertifiedAndStepsByOneLevelAtMost) {
   const TestWall wall(gallery::into_the_fluid(GetParam()), GetParam().fluid_is_inside);
   const double first = 1e-3 * gallery::diagonal(wall.surface());
-  for (const int step : {1, 2}) {
+  for (const auto& [step, on_conflict] :
+       {std::pair{1, OnConflict::Auto}, std::pair{2, OnConflict::Compress}, std::pair{1, OnConflict::Stair}}) {
     GrowOptions options = until_isotropic(wall, first);
-    if (step > 1) {
-      for (PatchSchedule& schedule : options.schedules) schedule.max_level_step = step;
+    for (PatchSchedule& schedule : options.schedules) {
+      if (step > 1) schedule.max_level_step = step;
+      schedule.on_conflict = on_conflict;
     }
     const Growth growth = grow(wall.wall(), options);
     const mesh::LayerMesh layers(growth.front, growth.lines);
