@@ -1,9 +1,7 @@
-#include <algorithm>
-#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "fan_trial.h"
-#include "nearwall/geometry/measures.h"
 #include "vertex_field.h"
 
 namespace nearwall::layers {
@@ -12,33 +10,13 @@ namespace {
 
 using mesh::Topology;
 
-/// Sweeps per thickness in edge lengths, and their range. A sweep carries a direction about one edge far, less as they
-/// go on; near concave ridges directions must lean away over a distance comparable to the thickness.
-constexpr double kSweepsPerEdge = 4.0;
-constexpr int kMinSweeps = 2;
-constexpr int kMaxSweeps = 40;
+/// Sweeps of smoothing unless asked for others: they even out what a few triangles say. Leaning away from concave
+/// ridges is solved for, lean.h; more sweeps bring nothing there and overshoot beside sharp ridges.
+constexpr int kSweeps = 2;
 
 /// Vertices whose fans do not fit get one line, and whether the ends of the fans beside them fit then has to be seen:
 /// what still does not after so many trials is left to the certificate.
 constexpr int kMostTrials = 4;
-
-int automatic_sweeps(const Wall& wall, const VertexField& field) {
-  geometry::CompensatedSum edges, thickness;
-  std::size_t n_edges = 0, n_lines = 0;
-  for (const FaceId f : wall.surface.faces.ids()) {
-    const auto t = wall.surface.triangle(f);
-    for (std::size_t k = 0; k < 3; ++k) edges.add(distance(t[k], t[(k + 1) % 3]));
-    n_edges += 3;
-  }
-  for (const double t : field.asked) {
-    if (!(t > 0)) continue;
-    thickness.add(t);
-    ++n_lines;
-  }
-  if (n_lines == 0 || !(edges.value() > 0)) return 0;
-  const double ratio = (thickness.value() / double(n_lines)) / (edges.value() / double(n_edges));
-  return static_cast<int>(std::clamp(std::ceil(kSweepsPerEdge * ratio), double(kMinSweeps), double(kMaxSweeps)));
-}
 
 /// What each vertex sees: of its groups the one that is seen worst.
 IdVector<VertexId, surface::PointNormal> worst_of_groups(const Wall& wall, const CutWall& cut,
@@ -58,8 +36,8 @@ IdVector<VertexId, surface::PointNormal> worst_of_groups(const Wall& wall, const
 /// The normals of all groups of faces, for the cuts there are.
 class Directions {
  public:
-  Directions(const Wall& wall, const GrowOptions& options)
-      : wall_(wall), options_(options), is_cut_(find_cuts(wall, options)) {
+  Directions(const Wall& wall, const GrowOptions& options, IdVector<HalfedgeId, char> is_cut)
+      : wall_(wall), options_(options), is_cut_(std::move(is_cut)) {
     find_normals();
   }
 
@@ -99,9 +77,9 @@ class Directions {
 
 }  // namespace
 
-LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& field,
-                   IdVector<VertexId, surface::PointNormal>& normals, int& sweeps) {
-  Directions directions(wall, options);
+LinePlan set_lines(const Wall& wall, const GrowOptions& options, const IdVector<HalfedgeId, char>& is_cut,
+                   VertexField& field, IdVector<VertexId, surface::PointNormal>& normals, int& sweeps) {
+  Directions directions(wall, options, is_cut);
   // Smoothing holds the normals at cuts, so whether fans fit can be seen before it.
   for (int round = 0; round < kMostTrials && directions.has_cuts(); ++round) {
     const std::vector<VertexId> unfit = find_unfit(wall, directions.plan());
@@ -111,7 +89,7 @@ LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& fi
   normals = directions.normals();
   sweeps = 0;
   if (options.filter != surface::SmoothingFilter::None) {
-    sweeps = options.smoothing_iterations.value_or(automatic_sweeps(wall, field));
+    sweeps = options.smoothing_iterations.value_or(kSweeps);
     directions.smooth(sweeps);
   }
   LinePlan plan = directions.plan();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "layout.h"
 #include "line_set.h"
 #include "nearwall/certify/certificate.h"
 #include "nearwall/core/errors.h"
@@ -63,7 +64,7 @@ class Settling {
         patient_rounds_(patient_rounds),
         field_(field),
         growth_(growth),
-        shrinker_(wall, plan.front, field),
+        shrinker_(wall, plan, field),
         component_(wetted_components(wall)),
         virtual_faces_(virtual_faces_of_vertices(plan.front)),
         resolution_(resolution(wall)),
@@ -99,7 +100,7 @@ class Settling {
     const auto intersections =
         certify::front_intersections(front, all ? std::span<const char>() : std::span<const char>(front_changed_));
     std::fill(front_changed_.begin(), front_changed_.end(), 0);
-    if (!intersections.empty()) return shrinker_.shrink(intersections);
+    if (!intersections.empty()) return shrinker_.shrink(front, intersections);
     const auto wrong = certify::covered_twice(plan_.front, front, component_, wall_.fluid_is_inside);
     if (!wrong.empty()) return shrinker_.shrink(front, wrong, component_);
     return std::nullopt;
@@ -259,16 +260,12 @@ Growth grow(const Wall& wall, const GrowOptions& options, ProgressSink& progress
   VertexField field = ask(wall, options, stacks);
   Growth growth;
 
-  progress.begin_stage("normals");
-  LinePlan plan = set_lines(wall, options, field, growth.normals, growth.smoothing_iterations);
-  progress.end_stage();
-
-  progress.begin_stage("limits");
-  limit_by_gaps(wall, plan, field);
-  progress.update(0.5);
-  grade(wall, field, {});
-  const auto curved = limit_by_curvature(wall, plan, field);
-  if (!curved.empty()) grade(wall, field, curved);
+  progress.begin_stage("lines");
+  Layout layout = best_layout(wall, options, field);
+  LinePlan plan = std::move(layout.plan);
+  field = std::move(layout.field);
+  growth.normals = std::move(layout.normals);
+  growth.smoothing_iterations = layout.sweeps;
   progress.end_stage();
 
   progress.begin_stage("layers");

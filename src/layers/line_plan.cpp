@@ -6,31 +6,13 @@
 #include "fans.h"
 #include "nearwall/core/expect.h"
 #include "nearwall/core/parallel.h"
-#include "nearwall/geometry/angles.h"
+#include "stretch.h"
 
 namespace nearwall::layers {
 
 namespace {
 
 using mesh::Topology;
-
-/// A line is at most this much longer than the thickness it stands for: 2 is a lean of 60 degrees. Where a sharp edge
-/// asks for more, the layers thin out towards it rather than stick out.
-constexpr double kMaxStretch = 2.0;
-
-/// 1 / (mean cosine between the line and its faces, weighted by their angles at the vertex), bounded.
-double stretch_of(const Wall& wall, VertexId v, const Vec3& direction) {
-  double cosines = 0, angles = 0;
-  for (const HalfedgeId h : wall.topology.fan(v)) {
-    const FaceId f = Topology::face(h);
-    const Vec3& apex = wall.surface.points[v];
-    const double angle = geometry::corner_angle(apex, wall.surface.points[wall.topology.target(h)],
-                                                wall.surface.points[wall.topology.origin(Topology::previous(h))]);
-    cosines += angle * dot(direction, wall.features.face_normal[f]);
-    angles += angle;
-  }
-  return cosines * kMaxStretch > angles ? angles / cosines : kMaxStretch;
-}
 
 struct Corner {
   std::vector<LineId> loop;  ///< the lines round it, then its centre line if it has one
@@ -191,6 +173,18 @@ class Planner {
 };
 
 }  // namespace
+
+Vec3 LinePlan::offset(LineId line, double thickness) const {
+  if (!is_bent(line)) return direction[line] * (stretch[line] * thickness);
+  Knot below;
+  for (const Knot& knot : bends[line]) {
+    if (knot.at >= thickness) {
+      return below.offset + (knot.offset - below.offset) * ((thickness - below.at) / (knot.at - below.at));
+    }
+    below = knot;
+  }
+  return below.offset * (thickness / below.at);
+}
 
 LinePlan plan_lines(const Wall& wall, const CutWall& cut, const IdVector<VertexId, surface::PointNormal>& normal,
                     double max_turn) {

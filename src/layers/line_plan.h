@@ -6,6 +6,12 @@
 
 namespace nearwall::layers {
 
+/// A place that a bent line passes.
+struct Knot {
+  double at = 0;  ///< thickness [length]
+  Vec3 offset;    ///< from the base of the line [length]
+};
+
 /// Which lines leave the wall, where to, and the front that they carry: topology and directions, no heights yet.
 struct LinePlan {
   mesh::Front front;
@@ -13,6 +19,17 @@ struct LinePlan {
   IdVector<LineId, double> stretch;       ///< length along the line per thickness, 1 … kMaxStretch
   IdVector<VertexId, Level> start;        ///< level at which the lines of a vertex leave the wall: 1 where a fan ends
   IdVector<VertexId, char> cannot_leave;  ///< no direction sees a group's faces, or no fan fits there
+  /// Knots of bent lines in increasing order of thickness, none for straight ones; empty if all are straight. Beyond
+  /// its last knot a line goes on straight from its base through it.
+  IdVector<LineId, std::vector<Knot>> bends;
+
+  bool is_bent(LineId line) const { return !bends.empty() && !bends[line].empty(); }
+  /// The way a line goes first, per thickness.
+  Vec3 foot(LineId line) const {
+    return is_bent(line) ? bends[line].front().offset / bends[line].front().at : direction[line] * stretch[line];
+  }
+  /// Where the line is at a thickness, from its base [length].
+  Vec3 offset(LineId line, double thickness) const;
 };
 
 /// One line for each group of faces round each vertex, fans of lines between the groups, and virtual faces: a quad for

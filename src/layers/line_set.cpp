@@ -35,6 +35,25 @@ void update_vertex(const LinePlan& plan, const Stacks& stacks, VertexId v, doubl
   }
 }
 
+/// One straight piece up to each knot of a line.
+void add_pieces(const LinePlan& plan, mesh::Lines& lines) {
+  const std::size_t n = plan.direction.size();
+  lines.pieces.reserve(n);
+  lines.first_piece.reserve(n + 1);
+  lines.first_piece.push_back(0);
+  for (const LineId line : plan.direction.ids()) {
+    lines.pieces.push_back({plan.foot(line), 0.0});
+    if (plan.is_bent(line)) {
+      const std::vector<Knot>& knots = plan.bends[line];
+      for (std::size_t k = 1; k < knots.size(); ++k) {
+        const Knot &from = knots[k - 1], &to = knots[k];
+        lines.pieces.push_back({(to.offset - from.offset) / (to.at - from.at), from.at});
+      }
+    }
+    lines.first_piece.push_back(static_cast<std::uint32_t>(lines.pieces.size()));
+  }
+}
+
 }  // namespace
 
 double resolution(const Wall& wall) {
@@ -51,16 +70,11 @@ mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const Stacks& sta
   lines.base.resize(n);
   lines.heights.resize(n);
   lines.windows.resize(n);
-  lines.pieces.resize(n);
-  lines.first_piece.resize(n + 1);
-  for (std::size_t i = 0; i <= n; ++i) lines.first_piece[i] = static_cast<std::uint32_t>(i);
+  add_pieces(plan, lines);
   const double finest = resolution(wall);
   parallel_for(wall.surface.points.size(), [&](std::size_t i) {
     const VertexId v(i);
-    for (const LineId line : front.lines_of(v)) {
-      lines.base[line] = wall.surface.points[v];
-      lines.pieces[line.index()] = {plan.direction[line] * plan.stretch[line], 0.0};
-    }
+    for (const LineId line : front.lines_of(v)) lines.base[line] = wall.surface.points[v];
     update_vertex(plan, stacks, v, finest, field, lines);
   });
   return lines;

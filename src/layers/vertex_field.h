@@ -40,10 +40,11 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stac
 
 /// The lines that leave the wall: normals by the chosen method, smoothed, and fans where ridges get several lines.
 /// Vertices that cannot be left are blocked.
+/// \param is_cut   (3 n_faces) ridges with several lines
 /// \param normals  (n_vertices) before smoothing: of the group of faces that is seen worst
 /// \param sweeps   of smoothing done
-LinePlan set_lines(const Wall& wall, const GrowOptions& options, VertexField& field,
-                   IdVector<VertexId, surface::PointNormal>& normals, int& sweeps);
+LinePlan set_lines(const Wall& wall, const GrowOptions& options, const IdVector<HalfedgeId, char>& is_cut,
+                   VertexField& field, IdVector<VertexId, surface::PointNormal>& normals, int& sweeps);
 
 /// Closed form of the method, section 3: no thick wedge may lose its orientation on the way up.
 /// \returns vertices that were lowered, in increasing order

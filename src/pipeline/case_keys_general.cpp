@@ -182,7 +182,7 @@ std::vector<Key> smoothing_keys() {
                   .takes_auto = true,
                   .default_text = "\"auto\"",
                   .range = {0, 1000},
-                  .doc = "sweeps; auto follows thickness / edge length",
+                  .doc = "sweeps; auto: 2",
                   .set =
                       [](Target t, const CaseValue& v) {
                         t.settings.smoothing.iterations =

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "layers/cut_wall.h"
 #include "layers/vertex_field.h"
 #include "tests/support/gallery.h"
 
@@ -30,7 +31,7 @@ struct Asked {
         stacks(options.schedules),
         field(ask(wall.wall(), options, stacks)) {
     options.filter = surface::SmoothingFilter::None;
-    plan = set_lines(wall.wall(), options, field, normals, sweeps);
+    plan = set_lines(wall.wall(), options, find_cuts(wall.wall(), options), field, normals, sweeps);
   }
   Asked(mesh::SurfaceMesh surface, double total, bool inside = false)
       : Asked(

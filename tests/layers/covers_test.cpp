@@ -152,6 +152,8 @@ void Covers::expect_one_cover_at_most() const {
   for (int i = 0; i < kSamples; ++i) {
     const std::size_t c = any_cell(random);
     const Vec3 p = cells[c].map().at(inner_point(cells[c].type, random));
+    // In a cell that is a hair thin, coordinates are too coarse to tell where in it a point lies.
+    if (!cells[c].map().inverse(p)) continue;
     ASSERT_EQ(finder.covering(p), std::vector<std::size_t>{c}) << i;
   }
   const geometry::Box& box = finder.box();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "layers/cut_wall.h"
 #include "layers/fan_trial.h"
 #include "layers/fans.h"
 #include "layers/vertex_field.h"
@@ -229,7 +230,7 @@ TEST(FanTrial, FindsTheVertexWhoseLinesTurnTheWrongWay) {
   VertexField field = ask(wall.wall(), options, stacks);
   IdVector<VertexId, surface::PointNormal> normals;
   int sweeps = 0;
-  LinePlan plan = set_lines(wall.wall(), options, field, normals, sweeps);
+  LinePlan plan = set_lines(wall.wall(), options, find_cuts(wall.wall(), options), field, normals, sweeps);
   EXPECT_TRUE(find_unfit(wall.wall(), plan).empty());
   VertexId fan;
   for (const VertexId v : wall.surface().points.ids()) {

@@ -43,13 +43,17 @@ struct GrowOptions {
   IdVector<PatchId, PatchSchedule> schedules;  ///< (n_patches)
   surface::NormalMethod normals = surface::NormalMethod::MostVisible;
   surface::SmoothingFilter filter = surface::SmoothingFilter::Taubin;
-  std::optional<int> smoothing_iterations;  ///< nullopt: follows thickness / edge length
+  std::optional<int> smoothing_iterations;  ///< nullopt: 2
   bool several_lines = true;                ///< at convex ridges and corners that need them; false: one for each vertex
   double multi_angle =
       surface::GroupOptions().multi_angle;  ///< turn of a convex ridge from which it gets several lines [rad]
   /// Angle to the worst face round a vertex from which its convex ridges get several lines [rad], (0, pi / 2].
   double steep_angle = surface::GroupOptions().steep_angle;
   double max_turn = 0.785398163397448310;  ///< largest angle between two lines of a fan, 1 to 90 degrees [rad]
+  // The levers of docs/theory/layers.md, section 3, and docs/theory/fans.md, section 8, to be compared without.
+  bool lean_lines = true;    ///< away from where they would cross
+  bool search_lines = true;  ///< for better directions where faces keep less than they are asked for
+  bool try_fans = true;      ///< at convex ridges of 60 degrees and more that do not need several lines
   /// Rounds of certify and shrink after which what fails is blocked at once, and after twice as many the whole
   /// component that it lies on: so the number of rounds is bounded on any surface. Seen on real surfaces: 0 to 41.
   int patient_rounds = 100;

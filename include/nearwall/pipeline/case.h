@@ -77,7 +77,7 @@ struct SurfaceSettings {
 
 struct SmoothingSettings {
   surface::SmoothingFilter filter = surface::SmoothingFilter::Taubin;
-  std::optional<int> iterations;  ///< nullopt: follows thickness / edge length
+  std::optional<int> iterations;  ///< nullopt: 2
 };
 
 struct OutputSettings {
