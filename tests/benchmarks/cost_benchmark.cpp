@@ -31,7 +31,7 @@ layers::GrowOptions with_all_means(const mesh::SurfaceMesh& surface) {
 /// Limits and certificate are the same.
 layers::GrowOptions plain(const mesh::SurfaceMesh& surface) {
   layers::GrowOptions options = with_all_means(surface);
-  options.several_lines = false;
+  options.several_lines = options.try_fans = options.lean_lines = options.search_lines = false;
   options.filter = surface::SmoothingFilter::Laplacian;
   return options;
 }

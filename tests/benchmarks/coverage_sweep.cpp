@@ -50,6 +50,10 @@ std::vector<Lever> levers() {
   return {
       {"nothing: as by default", {}},
       {"several lines at a vertex", [](GrowOptions& o) { o.several_lines = false; }},
+      {"fans where a trial keeps more", [](GrowOptions& o) { o.try_fans = false; }},
+      {"lines that lean away", [](GrowOptions& o) { o.lean_lines = false; }},
+      {"search for better directions", [](GrowOptions& o) { o.search_lines = false; }},
+      {"the three together", [](GrowOptions& o) { o.try_fans = o.lean_lines = o.search_lines = false; }},
       {"smoothing", [](GrowOptions& o) { o.filter = surface::SmoothingFilter::None; }},
       {"Taubin's counter-step", [](GrowOptions& o) { o.filter = surface::SmoothingFilter::Laplacian; }},
       {"most visible normals: means by angle", [](GrowOptions& o) { o.normals = surface::NormalMethod::Angle; }},
