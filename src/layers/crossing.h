@@ -1,8 +1,8 @@
 #pragma once
 
-#include "nearwall/core/vec3.h"
-
 #include <array>
+
+#include "nearwall/core/vec3.h"
 
 namespace nearwall::layers {
 

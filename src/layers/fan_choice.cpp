@@ -88,7 +88,11 @@ Layout best_layout(const Wall& wall, const GrowOptions& options, const VertexFie
   const Networks networks(wall, layout.is_cut, find_cuts(wall, eager));
   if (networks.empty()) return layout;
 
-  const auto kept_by = [&](const Layout& l, FaceId f) { return merit(wall, l.plan, l.field, asked.asked, f); };
+  const auto kept_by = [&](const Layout& l, FaceId f) {
+    const auto& corners = wall.surface.faces[f];
+    const bool is_bare = std::none_of(corners.begin(), corners.end(), [&](VertexId v) { return asked.asked[v] > 0; });
+    return is_bare ? 1.0 : merit(wall, l.plan, l.field, asked.asked, f);
+  };
   const auto area = networks.sum([](FaceId) { return 1.0; });
   const auto lacking = networks.sum([&](FaceId f) { return 1 - kept_by(layout, f); });
   const auto is_tried = [&](std::uint32_t network) { return lacking[network] > kLeastGain * area[network]; };

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "bends.h"
 #include "cut_wall.h"
 #include "lean.h"
 #include "line_search.h"
@@ -18,6 +19,7 @@ Layout lay_out(const Wall& wall, const GrowOptions& options, const VertexField& 
   grade(wall, layout.field, {});
   if (options.lean_lines) lean_lines(wall, layout.field, layout.plan);
   if (options.search_lines) search_lines(wall, layout.field, layout.plan);
+  round_bends(layout.field, layout.plan);
   const auto curved = limit_by_curvature(wall, layout.plan, layout.field);
   if (!curved.empty()) grade(wall, layout.field, curved);
   return layout;

@@ -24,9 +24,7 @@ constexpr double kLength = 1.5;
 /// Directions change within so many such lengths of a crossing.
 constexpr double kReach = 3.0;
 
-/// A line may lean until it meets a face of its vertex under this cosine, 73 degrees from its normal.
-constexpr double kLeastCosine = 0.3;
-/// … by halving the angle so many times, or not at all.
+/// A line that would lean too far does so by half the angle, so many times, or not at all.
 constexpr int kMostHalvings = 5;
 
 /// What is made worse is held and the rest solved for again, so many times; then it goes back to what it was.
@@ -178,7 +176,9 @@ class Leaning {
     for (int halvings = 0; least_cosine(v, direction) < least; ++halvings) {
       if (halvings == kMostHalvings) return;
       direction = direction + own;
-      direction = direction / norm(direction);
+      const double sum = norm(direction);
+      if (!(sum > 0)) return;
+      direction = direction / sum;
     }
     std::vector<Knot>& knots = plan_.bends[line];
     if (below > 0 && (knots.empty() || knots.back().at < below * thickness)) {

@@ -25,9 +25,6 @@ constexpr std::array<double, 3> kTurns = {geometry::to_radians(15), geometry::to
 /// Ways to which it is turned, evenly round it.
 constexpr int kWays = 8;
 
-/// A line may be turned until it meets a face of its vertex under this cosine, 78 degrees from its normal.
-constexpr double kLeastCosine = 0.2;
-
 /// A turned line bends at this share of its thickness, or of the height at which lines cross, and not where that is
 /// lower than the last: it would be no use to first heights.
 constexpr double kKnee = 0.1;

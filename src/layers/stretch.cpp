@@ -8,10 +8,6 @@ namespace {
 
 using mesh::Topology;
 
-/// A line is at most this much longer than the thickness it stands for: 2 is a lean of 60 degrees. Where a sharp edge
-/// asks for more, the layers thin out towards it rather than stick out.
-constexpr double kMaxStretch = 2.0;
-
 }  // namespace
 
 double stretch_of(const Wall& wall, VertexId v, const Vec3& direction) {

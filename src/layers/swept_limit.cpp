@@ -10,6 +10,9 @@ namespace {
 
 /// Smallest t > 0 at which a + b t + c t² falls to zero, given a > 0; infinity if it never does.
 double first_root(double a, double b, double c) {
+  // Cubes of lengths: their squares would leave the range of doubles on very large or small bodies.
+  const double size = std::max({a, std::abs(b), std::abs(c)});
+  a /= size, b /= size, c /= size;
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return std::numeric_limits<double>::infinity();
   // The numerically stable pair: q has the sign of -b, so nothing cancels.

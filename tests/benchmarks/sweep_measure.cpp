@@ -58,16 +58,19 @@ layers::GrowOptions options_of(const Case& settings, const mesh::SurfaceMesh& su
   return options;
 }
 
-/// The largest ratio of the heights of successive layers on any line.
+/// The largest ratio of the lengths of successive steps along any line, bends included.
 double largest_growth(const mesh::Lines& lines) {
   double largest = 0;
   for (const LineId line : lines.base.ids()) {
     const mesh::Window window = lines.windows[line];
-    for (int j = window.start + 2; j <= window.end; ++j) {
-      const auto level = static_cast<Level>(j);
-      const double middle = lines.height(line, static_cast<Level>(j - 1));
-      const double below = middle - lines.height(line, static_cast<Level>(j - 2));
-      largest = std::max(largest, (lines.height(line, level) - middle) / below);
+    Vec3 below = lines.base[line];
+    double step_below = 0;
+    for (int j = window.start + 1; j <= window.end; ++j) {
+      const Vec3 place = lines.position(line, static_cast<Level>(j));
+      const double step = distance(place, below);
+      if (step_below > 0) largest = std::max(largest, step / step_below);
+      below = place;
+      step_below = step;
     }
   }
   return largest;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "layers/layout.h"
+#include "layers/line_set.h"
 #include "layers/merit.h"
 #include "layers/swept_limit.h"
 #include "nearwall/certify/certificate.h"
@@ -24,35 +25,6 @@ double share_that_crosses(const Asked& a) {
     n += kSweptShare * swept_limit(a.wall.surface().triangle(f), tops) < 1;
   }
   return double(n) / double(a.wall.surface().faces.size());
-}
-
-/// A square plate, 10 wide and 1 thick, with a square hole 1 wide in its middle, in as few triangles as there can be:
-/// at the rims, which turn by 90 degrees, single lines lean into the hole from all sides.
-mesh::SurfaceMesh plate_with_hole() {
-  mesh::SurfaceMesh plate;
-  plate.patch_names.push_back("plate");
-  for (const double z : {0.0, 1.0}) {
-    for (const double half : {5.0, 0.5}) {
-      plate.points.push_back({-half, -half, z});
-      plate.points.push_back({half, -half, z});
-      plate.points.push_back({half, half, z});
-      plate.points.push_back({-half, half, z});
-    }
-  }
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    plate.faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
-    plate.faces.push_back({VertexId(a), VertexId(c), VertexId(d)});
-  };
-  // Outer corners 0 … 3 below and 8 … 11 above, those of the hole 4 more.
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    const std::uint32_t next = (k + 1) % 4;
-    add(8 + k, 8 + next, 12 + next, 12 + k);
-    add(next, k, 4 + k, 4 + next);
-    add(k, next, 8 + next, 8 + k);
-    add(4 + next, 4 + k, 12 + k, 12 + next);
-  }
-  plate.face_patch.resize(plate.faces.size(), PatchId(0));
-  return plate;
 }
 
 TEST(LinePlan, PassesItsKnotsAndGoesOnStraight) {
@@ -121,6 +93,62 @@ TEST(Lean, KeepsFullThicknessBesideConcaveCorners) {
   }
 }
 
+TEST(Lean, BringsLinesWhereTheyWerePlanned) {
+  std::size_t n_bent = 0;
+  for (const char* name : {"step", "fin-on-plate", "wing-body"}) {
+    const TestWall wall(gallery::catalogued(name, {}, 0.1));
+    const double thickness = 0.05 * gallery::diagonal(wall.surface());
+    const GrowOptions options = options_for(wall.surface(), growing_for_tests::geometric(thickness, 1.2, 20));
+    const Stacks stacks(options.schedules);
+    Layout layout = best_layout(wall.wall(), options, ask(wall.wall(), options, stacks));
+    const mesh::Lines lines = make_lines(wall.wall(), layout.plan, stacks, layout.field);
+    for (const LineId line : lines.base.ids()) {
+      n_bent += layout.plan.is_bent(line);
+      if (lines.windows[line].end == 0) continue;
+      const VertexId v = layout.plan.front.line_vertex[line];
+      const Vec3 planned = layout.plan.offset(line, layout.field.reached[v]);
+      const Vec3 top = lines.position(line, lines.windows[line].end) - lines.base[line];
+      EXPECT_LT(distance(top, planned), 1e-9 * thickness) << name << " line " << line.index();
+    }
+  }
+  EXPECT_GT(n_bent, 100u);
+}
+
+TEST(Lean, BendsLinesGently) {
+  // Steps grow by 1.2 in height; along a line by no more than 1.3.
+  const TestWall wall(gallery::catalogued("step", {}, 0.05));
+  const Growth growth = grow(wall.wall(), options_for(wall.surface(), growing_for_tests::geometric(0.2, 1.2, 20)));
+  double largest = 0;
+  for (const LineId line : growth.lines.base.ids()) {
+    for (Level level = 2; level <= growth.lines.windows[line].end; ++level) {
+      const auto step = [&](int j) {
+        return distance(growth.lines.position(line, static_cast<Level>(j)),
+                        growth.lines.position(line, static_cast<Level>(j - 1)));
+      };
+      largest = std::max(largest, step(level) / step(level - 1));
+    }
+  }
+  EXPECT_GT(largest, 1.21) << "some line bends";
+  EXPECT_LT(largest, 1.3);
+}
+
+TEST(Lean, AtOnePlaceDoesNotDependOnWhatThereIsElsewhere) {
+  const mesh::SurfaceMesh step = gallery::catalogued("step", {}, 0.1);
+  const mesh::SurfaceMesh small =
+      shapes_for_tests::translated(shapes_for_tests::scaled(step, 0x1p-10), Vec3(100, 0, 0));
+  const auto tops_with = [&](const mesh::SurfaceMesh& surface) {
+    Asked a(surface, 0.3);
+    for (const VertexId v : surface.points.ids()) {
+      if (v.index() >= step.points.size()) a.field.thickness[v] *= 0x1p-10;
+    }
+    lean_lines(a.wall.wall(), a.field, a.plan);
+    std::vector<Vec3> tops;
+    for (const VertexId v : step.points.ids()) tops.push_back(a.plan.offset(a.plan.front.line_of(v), 0.3));
+    return tops;
+  };
+  EXPECT_EQ(tops_with(step), tops_with(shapes_for_tests::joined(step, small)));
+}
+
 TEST(Layout, SearchesOnlyForWhatKeepsMore) {
   for (const gallery::Shape& shape : gallery::few_shapes()) {
     const TestWall wall(gallery::into_the_fluid(shape), shape.fluid_is_inside);
@@ -151,19 +179,17 @@ TEST(Layout, TriesFansOnlyWhereSomethingIsLacking) {
   const TestWall cube(shapes_for_tests::cube());
   EXPECT_EQ(grow(cube.wall(), options_for(cube.surface(), {0.01, 0.01})).front.n_lines(), 8u);
 
-  const TestWall plate(plate_with_hole());
-  GrowOptions options = options_for(plate.surface(), growing_for_tests::geometric(0.4, 1.2, 8));
-  const auto n_full = [](const Growth& growth) {
-    std::size_t n = 0;
-    for (const LineId l : growth.reached_thickness.ids()) n += growth.reached_thickness[l] == growth.asked_thickness[l];
-    return double(n) / double(growth.front.n_lines());
-  };
-  const Growth with = grow(plate.wall(), options);
+  // A block with a notch of 60 degrees: where its bottom line comes out of the side, a corner of two walls that turn by
+  // 90 degrees and one ridge that is concave, a single line serves none of them well.
+  const TestWall notch(gallery::catalogued("notch", {}, 0.2));
+  GrowOptions options = options_for(notch.surface(), growing_for_tests::geometric(0.1, 1.2, 8));
+  const Growth with = grow(notch.wall(), options);
   options.try_fans = false;
-  const Growth without = grow(plate.wall(), options);
-  EXPECT_GT(with.front.n_lines(), 16u);
-  EXPECT_EQ(without.front.n_lines(), 16u);
-  EXPECT_GT(n_full(with), n_full(without) + 0.1);
+  const Growth without = grow(notch.wall(), options);
+  EXPECT_GT(with.front.n_lines(), without.front.n_lines());
+  options.several_lines = false;
+  options.try_fans = true;
+  EXPECT_EQ(grow(notch.wall(), options).front.n_lines(), notch.surface().points.size()) << "one line is one line";
 }
 
 }  // namespace
