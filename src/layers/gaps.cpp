@@ -33,7 +33,7 @@ struct Meeting {
 
 /// Thickness at which the end of the line from p along s d is as far from q as the line is thick; nullopt if it moves
 /// away from q or never comes so near. With w = p - q: (s² - 1) t² + 2 s (d·w) t + w² = 0, and the ball of that radius
-/// round the end touches both walls. Source: docs/theory/layers.md, Eq. (5)
+/// round the end touches both walls. Source: docs/theory/layers.md, Eq. (7)
 std::optional<Meeting> meeting_with(const Vec3& p, const Vec3& d, double s, const Vec3& q) {
   const Vec3 w = p - q;
   const double a = s * s - 1, b = s * dot(d, w), c = squared_norm(w);
@@ -104,7 +104,7 @@ class GapLimiter {
   bool faces(FaceId f, const Vec3& d) const { return dot(wall_.features.face_normal[f], d) < 0; }
 
   /// The equal share, and what the other side leaves of its own. Its layers are taken for as thick as at its corner
-  /// where most is asked. Source: docs/theory/layers.md, Eq. (6)
+  /// where most is asked. Source: docs/theory/layers.md, Eq. (8)
   double share(FaceId other, const Meeting& meeting) const {
     const double equal = kFilled * meeting.thickness;
     double asked = 0;

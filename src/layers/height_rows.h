@@ -8,7 +8,7 @@ namespace nearwall::layers {
 
 /// Stacks of several schedules in one height table. Each has some rows: the first is the stack as asked, each row after
 /// it is thinner with the same first height, the last one uniform. With heights h_k, row p holds h_1 (h_k / h_1)^p, p
-/// from 1 to 0: for a geometric stack the growth is lowered from r to r^p. Source: docs/theory/layers.md, Eq. (3).
+/// from 1 to 0: for a geometric stack the growth is lowered from r to r^p. Source: docs/theory/layers.md, Eq. (5).
 /// Equal schedules share their rows.
 class HeightRows {
  public:

@@ -145,14 +145,15 @@ std::vector<Key> normals_keys() {
            [](const Case& c, const LayerSettings&) {
              return c.is_multi_allowed ? CaseValue(std::string(kAuto)) : CaseValue(false);
            }});
-  keys.push_back({.table = "normals",
-                  .name = "multi_angle",
-                  .unit = "degrees",
-                  .default_text = "100.0",
-                  .range = {1, 179},
-                  .doc = "turn of a convex ridge from which it gets several lines",
-                  .set = [](Target t, const CaseValue& v) { t.settings.multi_angle_deg = number(v); },
-                  .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.multi_angle_deg); }});
+  keys.push_back(
+      {.table = "normals",
+       .name = "multi_angle",
+       .unit = "degrees",
+       .default_text = "100.0",
+       .range = {1, 179},
+       .doc = "turn of a convex ridge from which it always gets several lines; from 60 on where they keep more",
+       .set = [](Target t, const CaseValue& v) { t.settings.multi_angle_deg = number(v); },
+       .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.multi_angle_deg); }});
   keys.push_back({.table = "normals",
                   .name = "max_turn",
                   .unit = "degrees",
