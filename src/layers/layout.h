@@ -6,7 +6,7 @@ namespace nearwall::layers {
 
 /// The lines of a wall and how long they may be, before anything is certified.
 struct Layout {
-  IdVector<HalfedgeId, char> is_cut;  ///< (3 n_faces) 1: a ridge with several lines
+  IdVector<HalfedgeId, char> is_cut;  ///< (3 n_faces) 1: a ridge that was to get several lines
   LinePlan plan;
   VertexField field;
   IdVector<VertexId, surface::PointNormal> normals;  ///< (n_vertices) before smoothing

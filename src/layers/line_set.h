@@ -6,7 +6,7 @@
 
 namespace nearwall::layers {
 
-/// Lines of a front as the field has them now: base, one straight piece, heights that fit the thickness, window.
+/// Lines of a front as the field has them now: base, straight pieces, heights that fit the thickness, window.
 mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const Stacks& stacks, VertexField& field);
 
 /// Sets heights and windows of the lines of some vertices anew. Lines too thin for doubles are blocked, in the field,

@@ -55,7 +55,7 @@ struct GrowOptions {
   bool search_lines = true;  ///< for better directions where faces keep less than they are asked for
   bool try_fans = true;      ///< at convex ridges of 60 degrees and more that do not need several lines
   /// Rounds of certify and shrink after which what fails is blocked at once, and after twice as many the whole
-  /// component that it lies on: so the number of rounds is bounded on any surface. Seen on real surfaces: 0 to 41.
+  /// component that it lies on: so the number of rounds is bounded on any surface. Seen on real surfaces: 0 to 55.
   int patient_rounds = 100;
 };
 
@@ -86,7 +86,8 @@ struct Wall {
 /// Component of each face; invalid where the fluid does not reach.
 IdVector<FaceId, ComponentId> wetted_components(const Wall& wall);
 
-/// Virtual faces that fans will have at most, nearly always: for forecasts. Cost: a part of that of normals.
+/// Virtual faces that the fans of ridges that need several lines will have at most, nearly always: for forecasts. What
+/// trials add is not known beforehand. Cost: a part of that of normals.
 std::size_t forecast_fan_faces(const Wall& wall, const GrowOptions& options);
 
 /// Levels that each vertex is asked for: for forecasts. \returns (n_vertices). \throws InputError as `grow`
