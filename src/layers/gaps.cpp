@@ -20,6 +20,10 @@ constexpr double kFilled = 0.9;
 /// within a hundredth.
 constexpr int kMostBalls = 2;
 
+/// A ball reaches no farther than so many edges of its vertex: it is there for what rays miss between vertices, and on
+/// bumpy walls larger ones hold ever more of them.
+constexpr double kReach = 4.0;
+
 /// Cosine from which a wall faces a line for the ball: one seen more edge-on stands beside the line, as at a concave
 /// corner, from which lines lean away. On real surfaces 0 does the same, but there rounding would tell the two sides of
 /// a square corner apart.
@@ -77,10 +81,11 @@ class GapLimiter {
   /// By walls that the front at the end of a line would come too near: those it passes by, and oblique ones.
   void limit_by_balls(VertexId v, const Vec3& d, double s) {
     const Vec3& p = wall_.surface.points[v];
+    const double reach = kReach * longest_edge(v);
     for (int i = 0; i < kMostBalls; ++i) {
-      // What lies outside of this ball leaves a tenth of the way free. It touches v's own wall, so it holds next to
-      // none of it, however thick the layers are.
-      const double radius = field_.thickness[v] / kFilled;
+      // What lies outside of this ball leaves a tenth of the way free, or is so far away that the rays of neighbours
+      // find it.
+      const double radius = std::min(field_.thickness[v] / kFilled, reach);
       const Vec3 centre = p + d * (s * radius);
       bool is_lowered = false;
       for (const FaceId f : tree_.faces_near(centre, radius)) {
@@ -99,6 +104,15 @@ class GapLimiter {
   bool has_corner(FaceId f, VertexId v) const {
     const auto& corners = wall_.surface.faces[f];
     return std::find(corners.begin(), corners.end(), v) != corners.end();
+  }
+
+  double longest_edge(VertexId v) const {
+    double longest = 0;
+    for (const HalfedgeId h : wall_.topology.fan(v)) {
+      const Vec3& end = wall_.surface.points[wall_.topology.target(h)];
+      longest = std::max(longest, distance(wall_.surface.points[v], end));
+    }
+    return longest;
   }
 
   bool faces(FaceId f, const Vec3& d) const { return dot(wall_.features.face_normal[f], d) < 0; }

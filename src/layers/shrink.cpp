@@ -111,6 +111,27 @@ std::vector<VertexId> Shrinker::shrink(const certify::FrontSurface& front,
   return lower_marked(LimitReason::Intersection);
 }
 
+bool Shrinker::can_be_lowered(FrontFaceId f) const {
+  const auto& lines = front_.faces[f].lines;
+  return std::any_of(lines.begin(), lines.begin() + front_.faces[f].size(),
+                     [&](LineId line) { return field_.thickness[front_.line_vertex[line]] > 0; });
+}
+
+ComponentId Shrinker::component_under(FrontFaceId f, const IdVector<FaceId, ComponentId>& face_component) const {
+  const VertexId v = front_.line_vertex[front_.faces[f].lines[0]];
+  return face_component[mesh::Topology::face(wall_.topology.fan(v).front())];
+}
+
+geometry::Box Shrinker::column_box(FrontFaceId f, const certify::FrontSurface& front) const {
+  geometry::Box box;
+  for (int k = 0; k < front_.faces[f].size(); ++k) {
+    const LineId line = front_.faces[f].lines[static_cast<std::size_t>(k)];
+    box.include(wall_.surface.points[front_.line_vertex[line]]);
+    box.include(front.points[line.index()]);
+  }
+  return box;
+}
+
 std::vector<VertexId> Shrinker::shrink(const certify::FrontSurface& front,
                                        const std::vector<ComponentId>& covered_twice,
                                        const IdVector<FaceId, ComponentId>& face_component) {
@@ -120,13 +141,18 @@ std::vector<VertexId> Shrinker::shrink(const certify::FrontSurface& front,
       if (face_component[f] != wrong) continue;
       for (const Vec3& p : wall_.surface.triangle(f)) body.include(p);
     }
-    // Only columns that reach the body can have covered its neighbourhood.
+    // Only columns that reach the body can have covered its neighbourhood, fans among them.
+    bool is_named = false;
     for (const FrontFaceId f : front_.faces.ids()) {
-      if (!front_.is_wall(f) || face_component[FaceId(f.index())] == wrong) continue;
-      geometry::Box column;
-      for (const Vec3& p : wall_.surface.triangle(FaceId(f.index()))) column.include(p);
-      for (const std::uint32_t p : front.triangles[f.index()]) column.include(front.points[p]);
-      if (column.intersects(body)) mark(f, kLeastKept);
+      if (component_under(f, face_component) == wrong) continue;
+      if (!column_box(f, front).intersects(body)) continue;
+      mark(f, kLeastKept);
+      is_named |= can_be_lowered(f);
+    }
+    if (is_named) continue;
+    // Where not even that names a line, all of the others give way.
+    for (const FrontFaceId f : front_.faces.ids()) {
+      if (component_under(f, face_component) != wrong) mark(f, kLeastKept);
     }
   }
   return lower_marked(LimitReason::Gap);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nearwall/certify/certificate.h"
+#include "nearwall/geometry/box.h"
 #include "vertex_field.h"
 
 namespace nearwall::layers {
@@ -41,6 +42,9 @@ class Shrinker {
   /// Those whose lines cross; none if that is not why the cell failed.
   Corners crossing_corners(FrontFaceId f) const;
   Corners bearing_corners_of(const certify::FrontSurface& front, FrontFaceId f, FrontFaceId other) const;
+  bool can_be_lowered(FrontFaceId f) const;
+  ComponentId component_under(FrontFaceId f, const IdVector<FaceId, ComponentId>& face_component) const;
+  geometry::Box column_box(FrontFaceId f, const certify::FrontSurface& front) const;
   std::vector<VertexId> lower_marked(mesh::LimitReason why);
 
   const Wall& wall_;

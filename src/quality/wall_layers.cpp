@@ -83,6 +83,9 @@ void climb(Corner& corner, std::uint32_t node, const Vec3& place, Histogram& gro
   if (!corner.first) corner.first = place;
 }
 
+/// No column is higher.
+constexpr std::uint32_t kMostLayers = 65535;
+
 /// The three corners of a triangle as nodes of the face that it was found to be.
 std::array<Corner, 3> corners_on(const mesh::VolumeMesh& mesh, FaceName face, const std::array<Vec3, 3>& triangle) {
   const mesh::FaceNodes nodes = nodes_of(mesh, face);
@@ -140,6 +143,8 @@ Column climb_column(const mesh::VolumeMesh& mesh, const mesh::FaceIndex& index, 
   Column column;
   bool is_layer = false;
   for (std::uint32_t n = 1; pass(mesh, index, face, corners, is_layer, growth); ++n) {
+    // A way that leads round in a ring, as through the fans of a ridge, is no column.
+    if (n > kMostLayers) return {};
     if (is_layer) column.layers = n;
     const FaceName next = index.opposite(mesh, face);
     if (next == face) break;
