@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/measures.h"
+#include "tests/layers/bodies_beside_a_fan.h"
 #include "tests/support/gallery.h"
 
 namespace nearwall::layers {
@@ -113,6 +115,16 @@ TEST(Grow, KeepsASmallBodyOutOfTheLayersOfALargeOne) {
   const mesh::LayerMesh layers(growth.front, growth.lines);
   EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
   EXPECT_GT(layers.n_cells(), 0u);
+}
+
+TEST(Grow, KeepsASmallBodyOutOfAFan) {
+  const TestWall wall(shapes_for_tests::bodies_beside_a_fan());
+  GrowOptions options = options_for(wall.surface(), std::vector<double>(20, 9.8495413670741208));
+  options.multi_angle = geometry::to_radians(65.763671570257216);
+  options.schedules[PatchId(0)].max_level_step = 2;
+  const Growth growth = grow(wall.wall(), options);
+  const mesh::LayerMesh layers(growth.front, growth.lines);
+  EXPECT_TRUE(certify::certify_layers(layers, wall.certified_wall()).is_valid());
 }
 
 TEST(Grow, LosesLayersAtAHairGapOnly) {
