@@ -15,3 +15,4 @@ find_package(nlohmann_json 3.11 REQUIRED)
 # VTK and CGAL bring find modules of their own, which make no target.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(ZLIB REQUIRED)
+find_package(TetGen REQUIRED)

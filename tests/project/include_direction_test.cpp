@@ -101,6 +101,7 @@ TEST(IncludeDirection, HeavyLibrariesStayBehindFilesOfTheirName) {
   for (const Include& include : all_includes()) {
     const std::string stem = include.file.stem();
     EXPECT_TRUE(!include.what.starts_with("CGAL/") || stem.ends_with("_cgal")) << include.file;
+    EXPECT_TRUE(!include.what.starts_with("tetgen") || stem.ends_with("_tetgen")) << include.file;
     EXPECT_TRUE(!include.what.starts_with("vtk") || stem.ends_with("_vtk")) << include.file;
   }
 }
