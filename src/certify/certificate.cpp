@@ -47,6 +47,29 @@ struct Cones {
   }
 };
 
+/// The rest of the planes, and all of them: the cones over what lies between are those over the sides of the layers.
+void add_sides(const mesh::LayerMesh& layers, const mesh::SidePlanes& planes, const FrontSurface& front,
+               const Vec3& centre, Cones& of_front, Cones& of_wall) {
+  const auto add = [&](const FrontSurface& surface, Cones& cones) {
+    for (std::size_t t = surface.face.size(); t < surface.triangles.size(); ++t) {
+      const auto& corners = surface.triangles[t];
+      cones.add({surface.points[corners[0]], surface.points[corners[1]], surface.points[corners[2]]}, centre);
+    }
+  };
+  add(front, of_front);
+  FrontSurface base = front;
+  for (const LineId line : base.point_of_line.ids()) {
+    const std::uint32_t first = layers.front().line_of(layers.front().line_vertex[line]).index();
+    base.point_of_line[line] = first;
+    base.points[first] = layers.lines().base[line];
+  }
+  base.triangles.resize(base.face.size());
+  base.rest_plane.clear();
+  base.rest_beside.clear();
+  close_front(layers.front(), planes, base);
+  add(base, of_wall);
+}
+
 }  // namespace
 
 double Certificate::closure() const {
@@ -59,8 +82,9 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
   result.n_cells = layers.n_cells();
   result.n_bad_columns = bad_columns(layers.front(), layers.lines()).size();
   progress.update(0.3);
-  const FrontSurface front = front_surface(layers.front(), layers.lines());
-  result.n_front_intersections = front_intersections(front).size();
+  FrontSurface front = front_surface(layers.front(), layers.lines());
+  if (wall.planes) result.n_front_intersections = close_front(layers.front(), *wall.planes, front).size();
+  if (result.n_front_intersections == 0) result.n_front_intersections = front_intersections(front).size();
   progress.update(0.7);
   // Winding numbers have a meaning only where the front does not meet itself.
   if (result.n_front_intersections == 0) {
@@ -70,7 +94,7 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
 
   const Vec3 centre = geometry::bounding_box(wall.surface.points.raw()).centre();
   Cones of_front, of_wall;
-  for (std::size_t t = 0; t < front.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < front.face.size(); ++t) {
     // A component out of the fluid's reach has no lines that move, hence no virtual faces in the front.
     const bool is_wall = layers.front().is_wall(front.face[t]);
     const FaceId f = is_wall ? FaceId(t) : FaceId();
@@ -79,6 +103,7 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
     of_front.add({front.points[corners[0]], front.points[corners[1]], front.points[corners[2]]}, centre);
     if (is_wall) of_wall.add(wall.surface.triangle(f), centre);
   }
+  if (wall.planes) add_sides(layers, *wall.planes, front, centre, of_front, of_wall);
   result.cells_volume = sum_of_cells(layers);
   result.enclosed_volume = (of_front.six_volumes.value() - of_wall.six_volumes.value()) / 6;
   result.front_volume = std::abs(of_front.six_volumes.value()) / 6;

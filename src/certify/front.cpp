@@ -2,10 +2,7 @@
 
 #include "nearwall/certify/certificate.h"
 #include "nearwall/core/parallel.h"
-#include "nearwall/geometry/box.h"
-#include "nearwall/predicates/volume.h"
 #include "nearwall/search/self_intersection.h"
-#include "nearwall/search/winding.h"
 
 namespace nearwall::certify {
 
@@ -16,9 +13,14 @@ class FrontBuilder {
  public:
   FrontBuilder(const mesh::Front& front, const mesh::Lines& lines) : front_(front), lines_(lines) {
     surface_.points.resize(front.n_lines());
+    surface_.point_of_line.resize(front.n_lines());
+    surface_.is_moved.resize(front.n_lines());
     parallel_for(front.n_lines(), [&](std::size_t i) {
       const LineId line(i);
       surface_.points[i] = lines.position(line, lines.windows[line].end);
+      const VertexId v = front.line_vertex[line];
+      surface_.is_moved[i] = lines.windows[line].moves() ? 1 : 0;
+      surface_.point_of_line[line] = lines.windows[line].moves() ? line.index() : front.line_of(v).index();
     });
     surface_.triangles.reserve(front.faces.size());
     surface_.face.reserve(front.faces.size());
@@ -43,10 +45,7 @@ class FrontBuilder {
   FrontSurface take() { return std::move(surface_); }
 
  private:
-  std::uint32_t point_of(LineId line) const {
-    const VertexId v = front_.line_vertex[line];
-    return lines_.windows[line].moves() ? line.index() : front_.line_of(v).index();
-  }
+  std::uint32_t point_of(LineId line) const { return surface_.point_of_line[line]; }
 
   void add(FrontFaceId f, const std::array<std::uint32_t, 3>& corners) {
     surface_.triangles.push_back(corners);
@@ -56,6 +55,7 @@ class FrontBuilder {
   void add_cap(FrontFaceId f, const mesh::Cap& cap) {
     const auto apex = static_cast<std::uint32_t>(surface_.points.size());
     surface_.points.push_back(cap.corners[4]);
+    surface_.is_moved.push_back(1);
     for (std::size_t k = 0; k < 4; ++k) {
       add(f, {cap.base[k].line.index(), cap.base[(k + 1) % 4].line.index(), apex});
     }
@@ -65,30 +65,6 @@ class FrontBuilder {
   const mesh::Lines& lines_;
   FrontSurface surface_;
 };
-
-/// Component of each front triangle: that of the wall triangles round the vertices that it stands on.
-std::vector<ComponentId> triangle_components(const mesh::Front& front, const FrontSurface& surface,
-                                             const IdVector<FaceId, ComponentId>& face_component) {
-  std::vector<ComponentId> of_line(front.n_lines());
-  for (std::size_t f = 0; f < front.n_wall_faces; ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      of_line[front.faces[FrontFaceId(f)].lines[k].index()] = face_component[FaceId(f)];
-    }
-  }
-  const auto of_vertex = [&](VertexId v) {
-    for (const LineId line : front.lines_of(v)) {
-      if (of_line[line.index()].is_valid()) return of_line[line.index()];
-    }
-    return ComponentId();
-  };
-  std::vector<ComponentId> components(surface.triangles.size());
-  for (std::size_t t = 0; t < components.size(); ++t) {
-    const FrontFaceId f = surface.face[t];
-    components[t] =
-        front.is_wall(f) ? face_component[FaceId(f.index())] : of_vertex(front.line_vertex[front.faces[f].lines[0]]);
-  }
-  return components;
-}
 
 }  // namespace
 
@@ -109,58 +85,32 @@ std::vector<std::pair<FrontFaceId, FrontFaceId>> front_intersections(const Front
   std::vector<char> moved;
   if (!changed.empty()) {
     for (const FrontFaceId f : front.face) moved.push_back(changed[f.index()]);
+    moved.resize(front.triangles.size(), 1);
   }
   const auto pairs = search::self_intersections({front.points, front.triangles}, moved);
+  const std::size_t n_front = front.face.size();
   std::vector<std::pair<FrontFaceId, FrontFaceId>> result;
   result.reserve(pairs.size());
-  for (const auto& [a, b] : pairs) result.emplace_back(front.face[a], front.face[b]);
+  const auto add_beside = [&](std::size_t t) {
+    for (const FrontFaceId f : front.rest_beside[t - n_front]) {
+      if (f.is_valid()) result.emplace_back(f, f);
+    }
+  };
+  const auto moves = [&](std::size_t t) {
+    const auto& corners = front.triangles[t];
+    return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return front.is_moved[p] != 0; });
+  };
+  for (const auto& [a, b] : pairs) {
+    if (b < n_front) {
+      result.emplace_back(front.face[a], front.face[b]);
+    } else if (a < n_front && moves(a)) {
+      result.emplace_back(front.face[a], front.face[a]);
+    } else {
+      if (a >= n_front) add_beside(a);
+      add_beside(b);
+    }
+  }
   return result;
-}
-
-std::vector<ComponentId> covered_twice(const mesh::Front& front, const FrontSurface& surface,
-                                       const IdVector<FaceId, ComponentId>& face_component, bool fluid_is_inside) {
-  std::vector<std::vector<std::uint32_t>> members;
-  std::vector<geometry::Box> boxes;
-  const std::vector<ComponentId> components = triangle_components(front, surface, face_component);
-  for (std::size_t t = 0; t < components.size(); ++t) {
-    const ComponentId c = components[t];
-    if (!c.is_valid()) continue;
-    if (members.size() <= c.index()) {
-      members.resize(c.index() + std::size_t{1});
-      boxes.resize(members.size());
-    }
-    members[c.index()].push_back(static_cast<std::uint32_t>(t));
-    for (const std::uint32_t p : surface.triangles[t]) boxes[c.index()].include(surface.points[p]);
-  }
-
-  std::vector<ComponentId> wrong;
-  std::vector<char> counts(surface.triangles.size());
-  for (std::size_t c = 0; c < members.size(); ++c) {
-    if (members[c].empty()) continue;
-    const Vec3 point = surface.points[surface.triangles[members[c].front()][0]];
-    // Only components whose boxes hold the point can wind about it.
-    const auto mark_around = [&](char value) {
-      bool any = false;
-      for (std::size_t other = 0; other < members.size(); ++other) {
-        if (other == c || !boxes[other].contains(point)) continue;
-        for (const std::uint32_t t : members[other]) counts[t] = value;
-        any = true;
-      }
-      return any;
-    };
-    int covered = fluid_is_inside ? 1 : 0;
-    if (mark_around(1)) {
-      covered += search::winding_number({surface.points, surface.triangles}, point, counts);
-      mark_around(0);
-    }
-    const auto triangle = [&](std::size_t i) {
-      const auto [p, q, r] = surface.triangles[members[c][i]];
-      return predicates::Triangle{surface.points[p], surface.points[q], surface.points[r]};
-    };
-    const bool is_body = predicates::enclosed_volume(members[c].size(), triangle).sign == predicates::Sign::Positive;
-    if (covered != (is_body ? 0 : 1)) wrong.push_back(ComponentId(c));
-  }
-  return wrong;
 }
 
 }  // namespace nearwall::certify

@@ -83,17 +83,16 @@ void step_down(const Wall& wall, const GrowOptions& options, const Stacks& stack
     const auto [level, v] = queue.top();
     queue.pop();
     if (level != field.levels[v]) continue;
-    for (const HalfedgeId h : wall.topology.fan(v)) {
-      const VertexId u = wall.topology.target(h);
+    wall.topology.for_each_neighbour(v, [&, from = level](VertexId u) {
       const std::uint32_t patch = field.schedule[u];
-      if (field.levels[u] == 0 || !options.schedules[PatchId(patch)].is_until_isotropic) continue;
-      const int allowed = level + stacks.level_step(patch);
-      if (field.levels[u] <= allowed) continue;
+      if (field.levels[u] == 0 || !options.schedules[PatchId(patch)].is_until_isotropic) return;
+      const int allowed = from + stacks.level_step(patch);
+      if (field.levels[u] <= allowed) return;
       field.levels[u] = static_cast<Level>(allowed);
       field.ends_isotropic[u] = 1;
       field.asked[u] = field.scale[u] * stacks.thickness(patch, field.levels[u]);
       queue.push({field.levels[u], u});
-    }
+    });
   }
 }
 

@@ -64,9 +64,11 @@ void shorten_cuts(const Wall& wall, const GrowOptions& options, IdVector<Halfedg
   };
   for (const VertexId end : wall.surface.points.ids()) {
     VertexId v = end;
-    for (HalfedgeId h = only_cut(v); h.is_valid(); h = only_cut(v)) {
+    // At the edge of an open wall a ridge does not end: its fan lies in the plane there.
+    for (HalfedgeId h = only_cut(v); h.is_valid() && !wall.topology.is_boundary(v); h = only_cut(v)) {
       const VertexId next = wall.topology.target(h);
-      if (!has_one_layer(v) && only_cut(next) != wall.topology.twin(h)) break;
+      const bool is_whole_cut = only_cut(next) == wall.topology.twin(h) && !wall.topology.is_boundary(next);
+      if (!has_one_layer(v) && !is_whole_cut) break;
       uncut(wall, h, is_cut);
       v = next;
     }
@@ -122,6 +124,9 @@ CutWall::Cut::Cut(const Wall& wall, const IdVector<HalfedgeId, char>& is_cut, su
     const bool has_ridge = std::any_of(fan.begin(), fan.end(), [&](HalfedgeId h) { return features.is_ridge[h] != 0; });
     features.kind[copy] = has_ridge ? PointKind::Corner : PointKind::Smooth;
   }
+  if (!wall.has_planes()) return;
+  planes.planes = wall.planes->planes;
+  for (const VertexId v : original) planes.of_vertex.push_back(wall.planes->of_vertex[v]);
 }
 
 CutWall::CutWall(const Wall& wall, IdVector<HalfedgeId, char> is_cut) : wall_(wall), is_cut_(std::move(is_cut)) {
@@ -141,6 +146,10 @@ IdVector<VertexId, char> CutWall::held_copies() const {
     if (!cut_ || !is_cut_[h]) continue;
     const VertexId v = wall_.topology.origin(h);
     for (std::size_t k = 0; k < n_copies(v); ++k) held[VertexId(first_copy(v).index() + k)] = 1;
+  }
+  if (!wall_.has_planes()) return held;
+  for (const VertexId copy : held.ids()) {
+    if (wall_.planes->is_on_plane(original(copy))) held[copy] = 1;
   }
   return held;
 }

@@ -38,7 +38,10 @@ class CutWall {
   std::size_t n_copies(VertexId v) const;
   /// The copy at the corner at which h begins.
   VertexId copy_at(HalfedgeId h) const { return surface().faces[mesh::Topology::face(h)][corner_index(h)]; }
-  /// Copies of vertices at which a cut passes or ends: their normals stay what they are. For smoothing.
+  /// The planes that the copies lie on; edges are left out.
+  const mesh::SidePlanes& planes() const { return cut_ && wall_.has_planes() ? cut_->planes : *wall_.planes; }
+  /// Copies of vertices at which a cut passes or ends, or that lie on a plane: their normals stay what they are. For
+  /// smoothing.
   IdVector<VertexId, char> held_copies() const;
 
  private:
@@ -50,6 +53,7 @@ class CutWall {
     mesh::SurfaceMesh surface;
     mesh::Topology topology;
     surface::Features features;
+    mesh::SidePlanes planes;
   };
 
   static std::size_t corner_index(HalfedgeId h) { return static_cast<std::size_t>(mesh::Topology::corner(h)); }

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "fan_trial.h"
+#include "nearwall/surface/plane_normals.h"
 #include "vertex_field.h"
 
 namespace nearwall::layers {
@@ -48,14 +49,16 @@ class Directions {
   /// From now on the vertices have one line: the ridges that meet there end in a single line at the vertex before.
   void uncut(const std::vector<VertexId>& vertices) {
     for (const VertexId v : vertices) {
-      for (const HalfedgeId h : wall_.topology.fan(v)) is_cut_[h] = is_cut_[wall_.topology.twin(h)] = 0;
+      for (const HalfedgeId h : wall_.topology.fan(v)) {
+        if (is_cut_[h]) is_cut_[h] = is_cut_[wall_.topology.twin(h)] = 0;
+      }
     }
     shorten_cuts(wall_, options_, is_cut_);
     find_normals();
   }
 
   void smooth(int sweeps) {
-    const auto held = has_cuts() ? cut_->held_copies() : IdVector<VertexId, char>();
+    const auto held = has_cuts() || wall_.has_planes() ? cut_->held_copies() : IdVector<VertexId, char>();
     const surface::SmoothingOptions smoothing{.filter = options_.filter, .iterations = sweeps};
     surface::smooth_normals(cut_->surface(), cut_->topology(), cut_->features(), smoothing, of_copies_, held);
   }
@@ -66,6 +69,9 @@ class Directions {
     of_copies_ =
         surface::point_normals(cut_->surface(), cut_->topology(), cut_->features(), {.method = options_.normals});
     surface::replace_blind_normals(cut_->surface(), cut_->topology(), cut_->features(), of_copies_);
+    if (wall_.has_planes()) {
+      surface::hold_in_planes(cut_->surface(), cut_->topology(), cut_->features(), cut_->planes(), of_copies_);
+    }
   }
 
   const Wall& wall_;

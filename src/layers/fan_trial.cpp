@@ -17,11 +17,11 @@ constexpr double kTrialThickness = 1e-3;
 double shortest_edge(const Wall& wall, VertexId v) {
   double shortest = 0;
   bool is_first = true;
-  for (const HalfedgeId h : wall.topology.fan(v)) {
-    const double length = distance(wall.surface.points[v], wall.surface.points[wall.topology.target(h)]);
+  wall.topology.for_each_neighbour(v, [&](VertexId u) {
+    const double length = distance(wall.surface.points[v], wall.surface.points[u]);
     if (is_first || length < shortest) shortest = length;
     is_first = false;
-  }
+  });
   return shortest;
 }
 

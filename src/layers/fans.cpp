@@ -35,10 +35,15 @@ Vec3 outward(const Wall& wall, HalfedgeId h) {
   return normalized(left + right + cross(along, left) + cross(right, along));
 }
 
+/// A direction of a line of v: in the planes on which v lies.
+Vec3 held(const Wall& wall, VertexId v, const Vec3& d) {
+  return wall.has_planes() && wall.planes->is_on_plane(v) ? wall.planes->direction_within(v, d) : d;
+}
+
 /// Where the middle of the fan points: away from the edge, or from both where it runs through.
 Vec3 middle(const Wall& wall, HalfedgeId h, HalfedgeId other) {
   const Vec3 own = outward(wall, h);
-  return other.is_valid() ? normalized(own + outward(wall, other)) : own;
+  return held(wall, wall.topology.origin(h), other.is_valid() ? normalized(own + outward(wall, other)) : own);
 }
 
 /// The arcs along which a fan turns from one group to the other: straight, or over the middle between the two faces of
@@ -145,6 +150,7 @@ void Fans::lay(Fan& fan, std::size_t n_lines) {
     fan.direction.assign(first.rbegin(), first.rend());
   } else {
     fan.direction = arcs_of(*this, wall_, cut_, normal_, fan.edge).spread(n_lines);
+    for (Vec3& d : fan.direction) d = held(wall_, wall_.topology.origin(fan.edge), d);
   }
   if (!turns_along_edges(fan)) twisted_.push_back(wall_.topology.origin(fan.edge));
 }

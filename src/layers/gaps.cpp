@@ -108,10 +108,9 @@ class GapLimiter {
 
   double longest_edge(VertexId v) const {
     double longest = 0;
-    for (const HalfedgeId h : wall_.topology.fan(v)) {
-      const Vec3& end = wall_.surface.points[wall_.topology.target(h)];
-      longest = std::max(longest, distance(wall_.surface.points[v], end));
-    }
+    wall_.topology.for_each_neighbour(v, [&](VertexId u) {
+      longest = std::max(longest, distance(wall_.surface.points[v], wall_.surface.points[u]));
+    });
     return longest;
   }
 

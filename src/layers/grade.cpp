@@ -42,14 +42,13 @@ void grade_at(double slope, const Wall& wall, const Seeds& seeds, VertexField& f
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto lower_neighbours = [&](VertexId v) {
     const Vec3& p = wall.surface.points[v];
-    for (const HalfedgeId h : wall.topology.fan(v)) {
-      const VertexId u = wall.topology.target(h);
-      if (!(field.thickness[u] > field.thickness[v])) continue;
+    wall.topology.for_each_neighbour(v, [&](VertexId u) {
+      if (!(field.thickness[u] > field.thickness[v])) return;
       const double limit = field.thickness[v] + slope * distance(p, wall.surface.points[u]);
-      if (!field.lower(u, limit, LimitReason::Neighbour)) continue;
+      if (!field.lower(u, limit, LimitReason::Neighbour)) return;
       lowered.push_back(u);
       queue.push({field.thickness[u], u});
-    }
+    });
   };
   for (const VertexId v : seeds) {
     if (slope_at(field, v) == slope) lower_neighbours(v);

@@ -95,7 +95,11 @@ class Settling {
       changed_columns_.clear();
       if (!bad.empty()) return shrinker_.shrink(growth_.lines, bad);
     }
-    const certify::FrontSurface front = certify::front_surface(plan_.front, growth_.lines);
+    certify::FrontSurface front = certify::front_surface(plan_.front, growth_.lines);
+    if (wall_.has_planes()) {
+      const auto wrong = certify::close_front(plan_.front, *wall_.planes, front);
+      if (!wrong.empty()) return shrinker_.shrink(front, with_themselves(wrong));
+    }
     const bool all = std::find(front_changed_.begin(), front_changed_.end(), 0) == front_changed_.end();
     const auto intersections =
         certify::front_intersections(front, all ? std::span<const char>() : std::span<const char>(front_changed_));
@@ -104,6 +108,12 @@ class Settling {
     const auto wrong = certify::covered_twice(plan_.front, front, component_, wall_.fluid_is_inside);
     if (!wrong.empty()) return shrinker_.shrink(front, wrong, component_);
     return std::nullopt;
+  }
+
+  static std::vector<std::pair<FrontFaceId, FrontFaceId>> with_themselves(const std::vector<FrontFaceId>& faces) {
+    std::vector<std::pair<FrontFaceId, FrontFaceId>> pairs;
+    for (const FrontFaceId f : faces) pairs.emplace_back(f, f);
+    return pairs;
   }
 
   /// Blocks the whole of each component that one of the vertices lies on.

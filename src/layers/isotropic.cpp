@@ -42,10 +42,12 @@ IdVector<VertexId, double> isotropic_heights(const mesh::SurfaceMesh& surface, c
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     parallel_for(height.size(), [&](std::size_t i) {
       const VertexId v(i);
-      const auto fan = topology.fan(v);
-      double sum = 0;
-      for (const HalfedgeId h : fan) sum += height[topology.target(h)];
-      next[v] = fan.empty() ? 0.0 : 0.5 * (height[v] + sum / static_cast<double>(fan.size()));
+      double sum = 0, n = 0;
+      topology.for_each_neighbour(v, [&](VertexId u) {
+        sum += height[u];
+        ++n;
+      });
+      next[v] = n > 0 ? 0.5 * (height[v] + sum / n) : 0.0;
     });
     std::swap(height, next);
   }

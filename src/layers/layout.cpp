@@ -6,6 +6,7 @@
 #include "cut_wall.h"
 #include "lean.h"
 #include "line_search.h"
+#include "plane_limit.h"
 
 namespace nearwall::layers {
 
@@ -20,6 +21,8 @@ Layout lay_out(const Wall& wall, const GrowOptions& options, const VertexField& 
   if (options.lean_lines) lean_lines(wall, layout.field, layout.plan);
   if (options.search_lines) search_lines(wall, layout.field, layout.plan);
   round_bends(layout.field, layout.plan);
+  const auto at_planes = limit_by_planes(wall, layout.plan, layout.field);
+  if (!at_planes.empty()) grade(wall, layout.field, at_planes);
   const auto curved = limit_by_curvature(wall, layout.plan, layout.field);
   if (!curved.empty()) grade(wall, layout.field, curved);
   return layout;

@@ -112,10 +112,8 @@ class Leaning {
         region.number[v] = static_cast<int>(region.vertices.size());
         region.vertices.push_back(v);
       }
-      for (const HalfedgeId h : wall_.topology.fan(v)) {
-        const VertexId u = wall_.topology.target(h);
-        reach(u, entry.left - distance(wall_.surface.points[v], wall_.surface.points[u]));
-      }
+      wall_.topology.for_each_neighbour(
+          v, [&](VertexId u) { reach(u, entry.left - distance(wall_.surface.points[v], wall_.surface.points[u])); });
     }
     region.is_held.resize(region.vertices.size(), 0);
     for (const VertexId v : region.vertices) {
@@ -168,6 +166,7 @@ class Leaning {
   /// Lets the line of v pass a place at a height from where it goes on as it did below.
   void bend(VertexId v, Vec3 direction, double below, double height) {
     const LineId line = plan_.front.line_of(v);
+    if (wall_.has_planes()) direction = wall_.planes->within(v, direction);
     const double thickness = field_.thickness[v], size = norm(direction);
     if (!(size > 0)) return;
     direction = direction / size;

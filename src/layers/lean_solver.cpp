@@ -68,18 +68,22 @@ class LeanSystem {
     const bool is_on_ridge = wall_.features.kind[v] == surface::PointKind::Ridge;
     Row row;
     double n_edges = 0;
-    for (const HalfedgeId h : wall_.topology.fan(v)) {
-      if (is_on_ridge && !wall_.features.is_ridge[h]) continue;
-      const VertexId u = wall_.topology.target(h);
+    const auto add = [&](VertexId u, FaceId f) {
       const double weight = 1 / squared_norm(wall_.surface.points[u] - wall_.surface.points[v]);
       ++n_edges;
       row.factor += weight;
       if (number_[u] >= 0) {
         row.neighbours.emplace_back(u, weight);
       } else {
-        const LineId line = line_in(wall_, plan_, Topology::face(h), u);
-        row.right += weight * row_of(direction_of(plan_, line, field_.thickness[u]));
+        row.right += weight * row_of(direction_of(plan_, line_in(wall_, plan_, f, u), field_.thickness[u]));
       }
+    };
+    if (is_on_ridge) {
+      for (const HalfedgeId h : wall_.topology.fan(v)) {
+        if (wall_.features.is_ridge[h]) add(wall_.topology.target(h), Topology::face(h));
+      }
+    } else {
+      wall_.topology.for_each_spoke(v, add);
     }
     // With weights 1 / e² the sum over n neighbours is n / 4 of the Laplacian in the plane, n / 2 of it along a ridge.
     const double l = length * field_.thickness[v], screen = n_edges / ((is_on_ridge ? 2 : 4) * l * l);

@@ -82,7 +82,8 @@ class Planner {
       fan_line_[h] = LineId(plan_.direction.size());
       for (std::size_t i = 1; i + 1 < fan.direction.size(); ++i) add_line(v, fan.direction[i]);
     }
-    if (cuts.size() > 2) fill(v, cuts);
+    // On a plane the lines end at its first and its last line, with nothing between them.
+    if (cuts.size() > 2 && !wall_.topology.is_boundary(v)) fill(v, cuts);
   }
 
   /// Line i of the fan at the beginning of h, counted from the left of h; the one line of the vertex without a fan.

@@ -139,9 +139,11 @@ class LineSearch {
       for (int way = 0; way < kWays; ++way) {
         const double angle = 2 * geometry::kPi * way / kWays;
         const Vec3 aside = along * std::cos(angle) + across * std::sin(angle);
-        const Vec3 tried = d * std::cos(turn) + aside * std::sin(turn);
+        Vec3 tried = d * std::cos(turn) + aside * std::sin(turn);
+        if (wall_.has_planes()) tried = wall_.planes->within(v, tried);
+        tried = tried / norm(tried);
         if (!sees(v, tried)) continue;
-        const Course course = turned(start, v, tried / norm(tried), knee);
+        const Course course = turned(start, v, tried, knee);
         set(line, course);
         const double kept = kept_round(v);
         if (!(kept > best * (1 + kLeastGain))) continue;

@@ -26,14 +26,13 @@ std::vector<VertexId> step_levels(const Wall& wall, const Stacks& stacks, Vertex
   while (!queue.empty()) {
     const auto [end, v] = queue.top();
     queue.pop();
-    for (const HalfedgeId h : wall.topology.fan(v)) {
-      const VertexId u = wall.topology.target(h);
-      const int allowed = end + stacks.level_step(field.schedule[u]);
-      if (end_of(u) <= allowed) continue;
+    wall.topology.for_each_neighbour(v, [&, from = end](VertexId u) {
+      const int allowed = from + stacks.level_step(field.schedule[u]);
+      if (end_of(u) <= allowed) return;
       field.max_level[u] = static_cast<Level>(allowed);
       lowered.push_back(u);
       push(u);
-    }
+    });
   }
   std::sort(lowered.begin(), lowered.end());
   lowered.erase(std::unique(lowered.begin(), lowered.end()), lowered.end());

@@ -9,6 +9,7 @@
 #include "nearwall/core/id_vector.h"
 #include "nearwall/core/progress.h"
 #include "nearwall/mesh/layer_mesh.h"
+#include "nearwall/mesh/side_planes.h"
 #include "nearwall/mesh/surface_mesh.h"
 
 namespace nearwall::certify {
@@ -28,21 +29,40 @@ std::vector<BadColumn> bad_columns(const mesh::Front& front, const mesh::Lines& 
 /// The outer front as triangles over the ends of lines and the apices of caps. Lines of one vertex that do not move
 /// share a point. Triangle i < n_wall_faces lies over wall triangle i; those over virtual faces follow, one for a
 /// triangle, four for a quad with a cap, none where the lines of the face do not part.
+///
+/// Where the wall ends at planes, the triangles of what is left of them follow (close_front): with them it is the
+/// closed boundary of what the layers leave.
 struct FrontSurface {
   std::vector<Vec3> points;                             ///< (n_lines + n_caps)
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< (n_triangles)
+  std::vector<char> is_moved;                           ///< (n_lines + n_caps) 0: at the wall
+  IdVector<LineId, std::uint32_t> point_of_line;        ///< (n_lines)
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< (n_triangles + n_rest)
   std::vector<FrontFaceId> face;                        ///< (n_triangles) front face below
+  std::vector<mesh::PlaneIndex> rest_plane;             ///< (n_rest)
+  /// (n_rest) a front face at each corner; invalid at corners on a seam between two planes.
+  std::vector<std::array<FrontFaceId, 3>> rest_beside;
 };
 
 FrontSurface front_surface(const mesh::Front& front, const mesh::Lines& lines);
 
+/// Adds what the front leaves of the planes at which the wall ends, as constrained Delaunay triangulations without new
+/// points; where two planes meet, straight from the end of one chain of edges to the next. Normals of these triangles
+/// point into the domain, as those of the front. Exact in the plane, for planes along no axis in their projection along
+/// the longest component of the normal. Source: docs/theory/planes.md.
+/// \returns  front faces whose edges on a plane meet each other or go round nothing: then the surface is not closed
+/// Cost: O(n log n) for n edges on planes.
+std::vector<FrontFaceId> close_front(const mesh::Front& front, const mesh::SidePlanes& planes, FrontSurface& surface);
+
 /// Point 4: pairs of front faces whose triangles meet anywhere but in what they share. Exact.
+/// Where a face meets the rest of a plane, it is paired with itself, and with faces beside that where it does not move;
+/// where two planes meet each other, so are those beside them.
 /// \param changed  (n_front_faces) marks faces to be looked at against all; empty: all
 std::vector<std::pair<FrontFaceId, FrontFaceId>> front_intersections(const FrontSurface& front,
                                                                      std::span<const char> changed = {});
 
 /// Point 5: components of the front about which the others wind the wrong number of times: there two bodies' layers
 /// fill the same space, or one body's layers have swallowed the other body.
+/// Parts that the rest of a plane joins count as one, and are named together.
 /// \param face_component  (n_wall_faces) component of the wall, invalid where the fluid does not reach
 std::vector<ComponentId> covered_twice(const mesh::Front& front, const FrontSurface& surface,
                                        const IdVector<FaceId, ComponentId>& face_component, bool fluid_is_inside);
@@ -52,6 +72,7 @@ struct CertifiedWall {
   const mesh::SurfaceMesh& surface;
   IdVector<FaceId, ComponentId> face_component;  ///< (n_faces) invalid where the fluid does not reach
   bool fluid_is_inside = false;
+  const mesh::SidePlanes* planes = nullptr;  ///< at which the wall ends, if it does
 };
 
 /// The certificate of a layer mesh, point by point (docs/theory/certificate.md). Conformity (2) holds by construction

@@ -7,6 +7,7 @@
 #include "nearwall/mesh/front.h"
 #include "nearwall/mesh/limit_reason.h"
 #include "nearwall/mesh/lines.h"
+#include "nearwall/mesh/side_planes.h"
 #include "nearwall/mesh/surface_mesh.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/surface/features.h"
@@ -81,6 +82,11 @@ struct Wall {
   const surface::Features& features;
   const IdVector<FaceId, char>& is_wetted;  ///< (n_faces) 0: on a component that the fluid cannot reach
   bool fluid_is_inside = false;             ///< the fluid does not reach infinity
+  /// Planes at which the wall ends, if it is open: its layers land on them. The rest of the fluid's boundary is part of
+  /// the surface then, far field, too, as patches without layers.
+  const mesh::SidePlanes* planes = nullptr;
+
+  bool has_planes() const { return planes && !planes->empty(); }
 };
 
 /// Component of each face; invalid where the fluid does not reach.

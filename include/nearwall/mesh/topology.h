@@ -42,12 +42,17 @@ class Topology {
   std::span<const HalfedgeId> fan(VertexId v) const {
     return {fan_.data() + fan_offset_[v.index()], fan_.data() + fan_offset_[v.index() + 1]};
   }
+  /// Calls `body(w, f)` for each vertex w that an edge joins to v, counterclockwise, with a face f of that edge.
+  template <class Body>
+  void for_each_spoke(VertexId v, const Body& body) const {
+    for (const HalfedgeId h : fan(v)) body(target(h), face(h));
+    // The last edge of an open fan has a halfedge towards v only.
+    if (!fan(v).empty() && is_boundary(v)) body(origin(previous(fan(v).back())), face(fan(v).back()));
+  }
   /// Calls `body(w)` for each vertex w that an edge joins to v, counterclockwise.
   template <class Body>
   void for_each_neighbour(VertexId v, const Body& body) const {
-    for (const HalfedgeId h : fan(v)) body(target(h));
-    // The last edge of an open fan has a halfedge towards v only.
-    if (!fan(v).empty() && is_boundary(v)) body(origin(previous(fan(v).back())));
+    for_each_spoke(v, [&](VertexId w, FaceId) { body(w); });
   }
   bool is_boundary(VertexId v) const;
   bool is_closed() const { return is_closed_; }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nearwall/surface/admission.h"
+#include "nearwall/surface/side_regions.h"
+
+namespace nearwall::surface {
+
+/// A wall without the flat sides on which its layers land.
+struct OpenWall {
+  mesh::SurfaceMesh surface;                    ///< the faces that stay, in their order, and their points
+  IdVector<FaceId, FaceId> face;                ///< number in the closed surface
+  IdVector<VertexId, VertexId> vertex;          ///< number in the closed surface
+  mesh::SidePlanes planes;                      ///< normals into the domain
+  std::vector<std::vector<FaceId>> side_faces;  ///< (n_planes) faces of the closed surface that were taken out
+  std::vector<SideRole> role;                   ///< (n_planes)
+  std::vector<std::string> notes;               ///< sides on which layers do not land, and why
+};
+
+struct OpenWallOptions {
+  IdVector<PatchId, char> has_layers;  ///< (n_patches)
+  FluidSide fluid = FluidSide::Outside;
+};
+
+/// Takes those regions out on which the layers of neighbouring patches land: flat ones that meet these patches, mostly,
+/// in concave edges. Symmetric ones of an external flow are the cuts of bodies: they go whatever is beside them, and
+/// the domain's side is the rest of their plane. At the others layers end as at patches without layers. \param closed
+/// admitted, normals into the fluid, flat regions flattened \param regions  as find_side_regions gives them for
+/// `closed` \throws GeometryError  if a body lies on both sides of its plane of symmetry, or its cut there touches
+/// itself
+OpenWall open_at_sides(const mesh::SurfaceMesh& closed, const std::vector<SideRegion>& regions,
+                       const IdVector<FaceId, char>& is_wetted, const OpenWallOptions& options);
+
+}  // namespace nearwall::surface

@@ -1,0 +1,212 @@
+#include "nearwall/surface/side_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "nearwall/geometry/box.h"
+#include "nearwall/geometry/measures.h"
+
+namespace nearwall::surface {
+
+namespace {
+
+/// Height of a corner over the plane of the neighbouring triangle, over the longest edge of its own, up to which both
+/// belong to one region: about a degree.
+constexpr double kBend = 0.02;
+
+/// Distance from the plane over the extent of the region up to which it is flat.
+constexpr double kFlatness = 1e-5;
+
+/// … or over the largest coordinate: four roundings to single precision.
+constexpr double kFloatRounding = 0x1p-22;
+
+struct SideEdge {
+  std::uint32_t low, high;
+  FaceId face;
+  friend auto operator<=>(const SideEdge&, const SideEdge&) = default;
+};
+
+class Grouping {
+ public:
+  Grouping(const mesh::SurfaceMesh& surface, const IdVector<PatchId, SideRole>& role) : surface_(surface), role_(role) {
+    parent_.resize(surface.faces.size());
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    std::vector<SideEdge> edges;
+    for (const FaceId f : surface.faces.ids()) {
+      if (role_of(f) == SideRole::None) continue;
+      const auto& v = surface.faces[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(v[k].index(), v[(k + 1) % 3].index());
+        edges.push_back({low, high, f});
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+      const SideEdge &a = edges[i - 1], &b = edges[i];
+      if (a.low == b.low && a.high == b.high && belong_together(a.face, b.face)) join(a.face, b.face);
+    }
+  }
+
+  /// In the order of their first faces.
+  std::vector<SideRegion> regions() {
+    std::vector<SideRegion> regions;
+    std::vector<std::size_t> number(parent_.size());
+    for (const FaceId f : surface_.faces.ids()) {
+      if (role_of(f) == SideRole::None) continue;
+      const std::uint32_t r = root(f.index());
+      if (r == f.index()) {
+        number[r] = regions.size();
+        regions.push_back({});
+        regions.back().role = role_of(f);
+      }
+      regions[number[r]].faces.push_back(f);
+    }
+    return regions;
+  }
+
+ private:
+  SideRole role_of(FaceId f) const { return role_[surface_.face_patch[f]]; }
+
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(FaceId a, FaceId b) {
+    const auto [low, high] = std::minmax(root(a.index()), root(b.index()));
+    parent_[high] = low;
+  }
+
+  /// Whether the corners of a lie in the plane of b, but for a little.
+  bool lies_in_plane_of(FaceId a, FaceId b) const {
+    const auto [p, q, r] = surface_.triangle(b);
+    const Vec3 normal = geometry::triangle_normal(p, q, r);
+    const auto own = surface_.triangle(a);
+    double highest = 0, longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      highest = std::max(highest, std::abs(dot(normal, own[k] - p)));
+      longest = std::max(longest, distance(own[k], own[(k + 1) % 3]));
+    }
+    return highest <= kBend * longest;
+  }
+
+  /// A needle has no normal to speak of: it is enough if one lies in the plane of the other.
+  bool belong_together(FaceId a, FaceId b) const {
+    return role_of(a) == role_of(b) && (lies_in_plane_of(a, b) || lies_in_plane_of(b, a));
+  }
+
+  const mesh::SurfaceMesh& surface_;
+  const IdVector<PatchId, SideRole>& role_;
+  std::vector<std::uint32_t> parent_;
+};
+
+std::vector<VertexId> vertices_of(const mesh::SurfaceMesh& surface, const std::vector<FaceId>& faces) {
+  std::vector<VertexId> vertices;
+  for (const FaceId f : faces) {
+    for (const VertexId v : surface.faces[f]) vertices.push_back(v);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+double farthest(const mesh::SurfaceMesh& surface, const std::vector<VertexId>& vertices, const mesh::SidePlane& plane) {
+  double most = 0;
+  for (const VertexId v : vertices) most = std::max(most, std::abs(plane.height(surface.points[v])));
+  return most;
+}
+
+/// The plane normal to an axis through the middle one of the coordinates: nearly all are the same, as a rule.
+mesh::SidePlane axis_plane(const mesh::SurfaceMesh& surface, const std::vector<VertexId>& vertices, int axis,
+                           bool is_positive) {
+  std::vector<double> coordinates;
+  for (const VertexId v : vertices) coordinates.push_back(surface.points[v][axis]);
+  const auto middle = coordinates.begin() + static_cast<std::ptrdiff_t>(coordinates.size() / 2);
+  std::nth_element(coordinates.begin(), middle, coordinates.end());
+  mesh::SidePlane plane;
+  plane.normal[axis] = is_positive ? 1 : -1;
+  plane.offset = is_positive ? *middle : -*middle;
+  plane.axis = axis;
+  return plane;
+}
+
+void fit_plane(const mesh::SurfaceMesh& surface, SideRegion& region) {
+  const std::vector<VertexId> vertices = vertices_of(surface, region.faces);
+  geometry::Box box;
+  for (const VertexId v : vertices) box.include(surface.points[v]);
+  Vec3 normal;
+  for (const FaceId f : region.faces) {
+    const auto [a, b, c] = surface.triangle(f);
+    normal += cross(b - a, c - a);
+  }
+  const double size = norm(normal);
+  if (!(size > 0)) return;
+  normal = normal / size;
+  const double tolerance =
+      std::max(kFlatness * box.diagonal(), kFloatRounding * std::max(max_norm(box.low), max_norm(box.high)));
+  for (int axis = 0; axis < 3; ++axis) {
+    region.plane = axis_plane(surface, vertices, axis, normal[axis] > 0);
+    region.off_plane = farthest(surface, vertices, region.plane);
+    region.is_flat = region.off_plane <= tolerance;
+    if (region.is_flat) return;
+  }
+  double sum = 0;
+  for (const VertexId v : vertices) sum += dot(normal, surface.points[v]);
+  region.plane = {normal, sum / static_cast<double>(vertices.size()), -1};
+  region.off_plane = farthest(surface, vertices, region.plane);
+  region.is_flat = region.off_plane <= tolerance;
+}
+
+/// Flat regions normal to one axis that are nearer to each other than they may be uneven lie in one plane, the first's.
+void unite_planes(const mesh::SurfaceMesh& surface, std::vector<SideRegion>& regions) {
+  const geometry::Box box = geometry::bounding_box(surface.points.raw());
+  const double tolerance = kFloatRounding * std::max({max_norm(box.low), max_norm(box.high), box.diagonal()});
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    mesh::SidePlane& own = regions[i].plane;
+    if (!regions[i].is_flat || own.axis < 0) continue;
+    for (std::size_t j = 0; j < i; ++j) {
+      const mesh::SidePlane& other = regions[j].plane;
+      if (!regions[j].is_flat || other.axis != own.axis || other.normal != own.normal) continue;
+      if (std::abs(other.offset - own.offset) <= tolerance) own.offset = other.offset;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SideRegion> find_side_regions(const mesh::SurfaceMesh& surface, const IdVector<PatchId, SideRole>& role) {
+  std::vector<SideRegion> regions = Grouping(surface, role).regions();
+  for (SideRegion& region : regions) fit_plane(surface, region);
+  unite_planes(surface, regions);
+  return regions;
+}
+
+double flatten(const std::vector<SideRegion>& regions, mesh::SurfaceMesh& surface) {
+  double farthest_move = 0;
+  IdVector<VertexId, Vec3> old = surface.points;
+  IdVector<VertexId, std::array<char, 3>> is_fixed(surface.points.size(), {0, 0, 0});
+  // Planes normal to an axis first: they are kept exactly by what moves the vertices of others.
+  for (const SideRegion& region : regions) {
+    if (!region.is_flat || region.plane.axis < 0) continue;
+    for (const VertexId v : vertices_of(surface, region.faces)) {
+      surface.points[v][region.plane.axis] = region.plane.offset * region.plane.normal[region.plane.axis];
+      is_fixed[v][static_cast<std::size_t>(region.plane.axis)] = 1;
+    }
+  }
+  for (const SideRegion& region : regions) {
+    if (!region.is_flat || region.plane.axis >= 0) continue;
+    for (const VertexId v : vertices_of(surface, region.faces)) {
+      Vec3 way = region.plane.normal;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (is_fixed[v][static_cast<std::size_t>(axis)]) way[axis] = 0;
+      }
+      const double slope = dot(way, region.plane.normal);
+      if (slope > kBend) surface.points[v] -= way * (region.plane.height(surface.points[v]) / slope);
+    }
+  }
+  for (const VertexId v : old.ids()) farthest_move = std::max(farthest_move, distance(old[v], surface.points[v]));
+  return farthest_move;
+}
+
+}  // namespace nearwall::surface
