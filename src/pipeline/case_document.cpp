@@ -1,9 +1,11 @@
 #include "pipeline/case_document.h"
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/impl/preprocessor.h>
 
 // toml++ 3.3 assumes that a table header begins with a key before it has looked: "[=" ends a debug build and is
@@ -70,21 +72,40 @@ CaseValue value_of(const toml::node& node) {
   return {};
 }
 
-void flatten(const toml::table& table, const std::vector<std::string>& path, const std::filesystem::path& file,
+/// Where something stands in the text, for messages.
+using PlaceOf = std::function<std::string(const toml::source_region&)>;
+
+void flatten(const toml::table& table, const std::vector<std::string>& path, const PlaceOf& place_of,
+             std::vector<Entry>& entries);
+
+/// All but the place of the key.
+Entry entry_of(const toml::node& node, const std::vector<std::string>& path, const PlaceOf& place_of) {
+  Entry entry;
+  entry.path = path;
+  entry.value_place = place_of(node.source());
+  entry.found = as_text(node);
+  entry.is_table = node.is_table();
+  if (entry.is_table) return entry;
+  entry.value = value_of(node);
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& item : *list) {
+      Entry& of_item = entry.items.emplace_back(entry_of(item, path, place_of));
+      of_item.key_place = of_item.value_place;
+      if (of_item.is_table) flatten(*item.as_table(), path, place_of, of_item.items);
+    }
+  }
+  return entry;
+}
+
+void flatten(const toml::table& table, const std::vector<std::string>& path, const PlaceOf& place_of,
              std::vector<Entry>& entries) {
   for (const auto& [key, node] : table) {
-    Entry entry;
-    entry.path = path;
-    entry.path.emplace_back(key.str());
-    entry.key_place = place(file, key.source());
-    entry.value_place = place(file, node.source());
+    std::vector<std::string> here = path;
+    here.emplace_back(key.str());
+    Entry& entry = entries.emplace_back(entry_of(node, here, place_of));
+    entry.key_place = place_of(key.source());
     entry.line = key.source().begin.line;
-    entry.found = as_text(node);
-    entry.is_table = node.is_table();
-    if (!entry.is_table) entry.value = value_of(node);
-    const std::vector<std::string> here = entry.path;
-    entries.push_back(std::move(entry));
-    if (node.is_table()) flatten(*node.as_table(), here, file, entries);
+    if (node.is_table()) flatten(*node.as_table(), here, place_of, entries);
   }
 }
 
@@ -112,6 +133,8 @@ std::vector<std::string> split_key(const std::string& key) {
 
 }  // namespace
 
+std::string name_of(const Entry& entry) { return fmt::format("{}", fmt::join(entry.path, ".")); }
+
 std::vector<Entry> read_document(const std::string& text, const std::filesystem::path& file) {
   if (const auto stray = first_stray_character(text)) {
     throw InputError(fmt::format("{}:{}:{}: unexpected character; what is not ASCII belongs in quotes or comments",
@@ -124,35 +147,40 @@ std::vector<Entry> read_document(const std::string& text, const std::filesystem:
     throw InputError(fmt::format("{}: {}", place(file, e.source()), e.description()));
   }
   std::vector<Entry> entries;
-  flatten(document, {}, file, entries);
+  flatten(
+      document, {}, [&](const toml::source_region& region) { return place(file, region); }, entries);
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.line < b.line; });
   return entries;
 }
 
-Entry read_override(const std::string& override_text) {
+std::vector<Entry> read_override(const std::string& override_text) {
   const std::string where = fmt::format("--set {}", override_text);
   const std::size_t equals = override_text.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw InputError(fmt::format("{}: expected KEY=VALUE, for instance --set layers.count=20", where));
   }
-  Entry entry;
-  entry.path = split_key(override_text.substr(0, equals));
-  entry.key_place = entry.value_place = where;
+  const std::vector<std::string> path = split_key(override_text.substr(0, equals));
   const std::string value = override_text.substr(equals + 1);
-  // What is no TOML is meant as plain text: file names, choices without quotes.
-  entry.value = value;
-  entry.found = fmt::format("\"{}\"", value);
-  if (first_stray_character(value)) return entry;
-  try {
-    const toml::table parsed = toml::parse("value = " + value);
-    const toml::node& node = *parsed.get("value");
-    if (parsed.size() != 1 || node.is_table()) throw InputError(fmt::format("{}: expected one value", where));
-    entry.value = value_of(node);
-    entry.found = as_text(node);
-  } catch (const toml::parse_error&) {
-    return entry;
+  const PlaceOf place_of = [&](const toml::source_region&) { return where; };
+  if (!first_stray_character(value)) {
+    try {
+      const toml::table parsed = toml::parse("value = " + value);
+      if (parsed.size() != 1) throw InputError(fmt::format("{}: expected one value", where));
+      const toml::node& node = *parsed.get("value");
+      std::vector<Entry> entries = {entry_of(node, path, place_of)};
+      entries.front().key_place = where;
+      if (node.is_table()) flatten(*node.as_table(), path, place_of, entries);
+      return entries;
+    } catch (const toml::parse_error&) {
+      // What is no TOML is meant as plain text: file names, choices without quotes.
+    }
   }
-  return entry;
+  Entry text;
+  text.path = path;
+  text.key_place = text.value_place = where;
+  text.value = value;
+  text.found = fmt::format("\"{}\"", value);
+  return {text};
 }
 
 }  // namespace nearwall::pipeline

@@ -17,15 +17,21 @@ struct Entry {
   std::string key_place;          ///< "case.toml:3:1"
   std::string value_place;        ///< "case.toml:3:10"
   std::size_t line = 0;
-  bool is_table = false;  ///< a table itself, not a value
+  bool is_table = false;     ///< a table itself, not a value
+  std::vector<Entry> items;  ///< of a list: each with the list's path; of a table in a list: its keys
 };
 
+/// "layers.first_height", for messages.
+std::string name_of(const Entry& entry);
+
 /// All tables and values of a TOML text in the order in which they stand there. Integers, numbers, booleans, texts,
-/// lists of numbers (as doubles) and lists of texts are values; inline tables are tables. \throws InputError
+/// lists of numbers (as doubles) and lists of texts are values, others have items alone; inline tables are tables.
+/// \throws InputError
 /// "FILE:LINE:COLUMN: …" for a text that is not TOML
 std::vector<Entry> read_document(const std::string& text, const std::filesystem::path& file);
 
-/// "key=value" of --set. The value is read as TOML, and as plain text where it is none. \throws InputError
-Entry read_override(const std::string& override_text);
+/// "key=value" of --set. The value is read as TOML, and as plain text where it is none.
+/// \returns the entry of the key, and those of its keys where the value is an inline table. \throws InputError
+std::vector<Entry> read_override(const std::string& override_text);
 
 }  // namespace nearwall::pipeline

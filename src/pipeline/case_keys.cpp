@@ -8,30 +8,6 @@
 
 namespace nearwall::pipeline {
 
-namespace {
-
-/// Keys of the format that this version knows and does not do: their defaults are accepted.
-Key later(std::string_view table, std::string_view name, Kind kind, std::string_view default_text,
-          std::string_view doc) {
-  return {.table = table, .name = name, .kind = kind, .default_text = default_text, .is_later = true, .doc = doc};
-}
-
-}  // namespace
-
-std::vector<Key> later_keys() {
-  std::vector<Key> keys = {later("volume", "fill", Kind::Choice, "\"none\"", "what fills the rest of the volume"),
-                           later("volume", "growth", Kind::Number, "1.3", "of cells away from the layers"),
-                           later("volume.farfield", "shape", Kind::Choice, "\"sphere\"", "of the outer boundary"),
-                           later("volume.farfield", "radius", Kind::Number, "\"auto\"", "of the outer boundary"),
-                           later("volume.farfield", "size", Kind::Number, "\"auto\"", "of the triangles there")};
-  for (Key& key : keys) {
-    if (key.default_text == "\"auto\"") key.takes_auto = true;
-    if (key.name == "fill") key.choices = {"none"}, key.later = {"tetgen"};
-    if (key.name == "shape") key.choices = {"sphere"}, key.later = {"box", "given"};
-  }
-  return keys;
-}
-
 const std::vector<std::string_view>& case_tables() {
   static const std::vector<std::string_view> tables = {"",        "surface",         "patches", "features",
                                                        "normals", "smoothing",       "layers",  "flow",
@@ -42,7 +18,7 @@ const std::vector<std::string_view>& case_tables() {
 const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
-    for (const auto& part : {general_keys(), layer_keys(), later_keys()})
+    for (const auto& part : {general_keys(), layer_keys(), volume_keys()})
       all.insert(all.end(), part.begin(), part.end());
     const auto place = [](const Key& key) {
       const auto& tables = case_tables();
@@ -72,7 +48,9 @@ std::string allowed_numbers(const Key& key, std::string_view noun) {
   const Range& r = key.range;
   const bool has_low = std::isfinite(r.low), has_high = std::isfinite(r.high);
   if (has_low && has_high) {
-    return r.low == r.high ? fmt::format("{}", r.low) : fmt::format("{} from {} to {}", noun, r.low, r.high);
+    if (r.low == r.high) return fmt::format("{}", r.low);
+    if (r.is_low_open) return fmt::format("{} above {}, at most {}", noun, r.low, r.high);
+    return fmt::format("{} from {} to {}", noun, r.low, r.high);
   }
   if (has_low) return fmt::format("{} {} {}", noun, r.is_low_open ? "above" : "of at least", r.low);
   return std::string(noun);
@@ -100,6 +78,11 @@ std::string allowed(const Key& key) {
     case Kind::Numbers:
       phrase = fmt::format("a list, [h1, h2, …], each {}", allowed_numbers(key, "a number"));
       break;
+    case Kind::Point:
+      phrase = "a list [x, y, z] of numbers";
+      break;
+    case Kind::Planes:
+      return "a list of \"x\", \"y\", \"z\" or { axis = \"y\", at = 0.0 }";
   }
   if (!key.unit.empty()) phrase += fmt::format(" ({})", key.unit);
   if (key.takes_auto) phrase += " or \"auto\"";

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -13,10 +15,10 @@ namespace nearwall::pipeline {
 
 /// A value of the case file. monostate: not given and without default.
 using CaseValue = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
-                               std::vector<std::string>, ArrayLength>;
+                               std::vector<std::string>, ArrayLength, std::vector<SymmetrySetting>>;
 
-/// What a key takes. Number, Integer and Boolean may take "auto" besides.
-enum class Kind { Number, Integer, Boolean, Text, Choice, Choices, Numbers };
+/// What a key takes. Number, Integer, Boolean and Point may take "auto" besides.
+enum class Kind { Number, Integer, Boolean, Text, Choice, Choices, Numbers, Point, Planes };
 
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
@@ -43,7 +45,6 @@ struct Key {
   Range range = {};
   std::vector<std::string_view> choices = {};
   std::vector<std::string_view> later = {};  ///< choices of the format that this version does not do
-  bool is_later = false;                     ///< the key itself: only its default is accepted
   std::string_view doc = {};
   void (*set)(Target, const CaseValue&) = nullptr;
   /// Of keys that take { array = "NAME", factor = … } besides: the array of the settings instead of a number.
@@ -69,9 +70,16 @@ std::string allowed(const Key& key);
 /// Parts of case_keys().
 std::vector<Key> general_keys();
 std::vector<Key> layer_keys();
-std::vector<Key> later_keys();
+std::vector<Key> volume_keys();
 
 inline constexpr std::string_view kAuto = "auto";
+inline constexpr std::string_view kAxisNames = "xyz";
+
+/// Of a choice: the enumerator at the place of its name.
+template <class Enum, std::size_t n>
+Enum enumerator(const std::array<std::string_view, n>& names, const CaseValue& v) {
+  return static_cast<Enum>(std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin());
+}
 
 inline bool is_auto(const CaseValue& v) {
   return std::holds_alternative<std::string>(v) && std::get<std::string>(v) == kAuto;

@@ -1,6 +1,19 @@
+#include <array>
+
 #include "pipeline/case_keys.h"
 
-namespace nearwall::pipeline {
+namespace nearwall {
+
+namespace {
+
+/// In the order of PatchType.
+constexpr std::array<std::string_view, 6> kTypeNames = {"wall", "nolayer", "symmetry", "inlet", "outlet", "farfield"};
+
+}  // namespace
+
+std::string_view type_name(PatchType type) { return kTypeNames[static_cast<std::size_t>(type)]; }
+
+namespace pipeline {
 
 namespace {
 
@@ -100,17 +113,15 @@ std::vector<Key> surface_keys() {
 
 std::vector<Key> patch_keys() {
   std::vector<Key> keys;
-  keys.push_back(
-      {.table = "patches",
-       .name = "type",
-       .kind = Kind::Choice,
-       .default_text = "\"wall\"",
-       .choices = {"wall", "nolayer"},
-       .later = {"symmetry", "inlet", "outlet", "farfield"},
-       .doc = "wall gets layers, nolayer stays as it is; keys of [layers] may be given here, too",
-       .set = [](Target t,
-                 const CaseValue& v) { t.rule->type = text(v) == "nolayer" ? PatchType::NoLayer : PatchType::Wall; },
-       .get = nullptr});
+  keys.push_back({.table = "patches",
+                  .name = "type",
+                  .kind = Kind::Choice,
+                  .default_text = "\"wall\"",
+                  .choices = {kTypeNames.begin(), kTypeNames.end()},
+                  .doc = "wall gets layers, nolayer stays as it is, the others bound the volume (docs/volume.md); keys "
+                         "of [layers] may be given here, too",
+                  .set = [](Target t, const CaseValue& v) { t.rule->type = enumerator<PatchType>(kTypeNames, v); },
+                  .get = nullptr});
   return keys;
 }
 
@@ -276,4 +287,6 @@ std::vector<Key> general_keys() {
   return keys;
 }
 
-}  // namespace nearwall::pipeline
+}  // namespace pipeline
+
+}  // namespace nearwall

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "pipeline/case_keys.h"
@@ -54,11 +53,6 @@ void set_law(Target t, const CaseValue& v) {
        {spacing::Law::Geometric, spacing::Law::Accelerating, spacing::Law::Tanh, spacing::Law::Table}) {
     if (std::get<std::string>(v) == spacing::law_name(law)) t.layers.law = law;
   }
-}
-
-template <class Enum, std::size_t n>
-Enum enumerator(const std::array<std::string_view, n>& names, const CaseValue& v) {
-  return static_cast<Enum>(std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin());
 }
 
 /// The four quantities, y_plus and until.

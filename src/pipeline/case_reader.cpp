@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -12,6 +11,8 @@
 #include "pipeline/case_document.h"
 #include "pipeline/case_keys.h"
 #include "pipeline/case_patches.h"
+#include "pipeline/case_values.h"
+#include "pipeline/case_volume.h"
 
 namespace nearwall {
 
@@ -21,7 +22,7 @@ using namespace pipeline;
 
 constexpr std::string_view kPatches = "patches";
 
-std::string join(const std::vector<std::string>& path) { return fmt::format("{}", fmt::join(path, ".")); }
+std::string join(std::span<const std::string> path) { return fmt::format("{}", fmt::join(path, ".")); }
 
 std::vector<std::string> names_in(std::string_view table) {
   std::vector<std::string> names;
@@ -56,111 +57,10 @@ bool is_table_name(std::string_view name) {
   for (const auto table : case_tables()) {
     if (!table.empty()) tables.emplace_back(table);
   }
-  const std::string near = nearest(join(entry.path), tables);
+  const std::string near = nearest(name_of(entry), tables);
   throw InputError(fmt::format(
-      "{}: {}: unknown table{}", entry.key_place, join(entry.path),
+      "{}: {}: unknown table{}", entry.key_place, name_of(entry),
       near.empty() ? fmt::format("; tables are {}", fmt::join(tables, ", ")) : fmt::format("; nearest: [{}]", near)));
-}
-
-[[noreturn]] void reject_value(const Entry& entry, const Key& key, std::string_view more = "") {
-  throw InputError(fmt::format("{}: {}: expected {}, found {}{}", entry.value_place, join(entry.path), allowed(key),
-                               entry.found, more));
-}
-
-[[noreturn]] void reject_as_later(const Entry& entry) {
-  throw InputError(fmt::format("{}: {}: {} is not in this version", entry.value_place, join(entry.path), entry.found));
-}
-
-void check_range(const Entry& entry, const Key& key, double value) {
-  const Range& r = key.range;
-  const bool is_inside = std::isfinite(value) && value <= r.high && (r.is_low_open ? value > r.low : value >= r.low);
-  if (!is_inside) reject_value(entry, key);
-}
-
-void check_choice(const Entry& entry, const Key& key, const std::string& value) {
-  if (std::find(key.choices.begin(), key.choices.end(), value) != key.choices.end()) return;
-  if (std::find(key.later.begin(), key.later.end(), value) != key.later.end()) {
-    throw InputError(fmt::format("{}: {}: \"{}\" is not in this version; expected {}", entry.value_place,
-                                 join(entry.path), value, allowed(key)));
-  }
-  const std::vector<std::string> choices(key.choices.begin(), key.choices.end());
-  const std::string near = nearest(value, choices);
-  reject_value(entry, key, near.empty() ? "" : fmt::format("; nearest: \"{}\"", near));
-}
-
-/// A number typed with its unit, or a text where a number belongs.
-std::string unit_advice(const Key& key) {
-  if (key.unit.empty()) return "; write a plain number without quotes";
-  if (key.unit == "degrees") return "; angles are plain numbers in degrees";
-  return fmt::format("; write a plain number without quotes: {} in the scaled unit of the surface", key.unit);
-}
-
-CaseValue checked_number(const Entry& entry, const Key& key) {
-  double value = 0;
-  if (const auto* v = std::get_if<double>(&entry.value)) {
-    value = *v;
-  } else if (const auto* i = std::get_if<std::int64_t>(&entry.value)) {
-    value = static_cast<double>(*i);
-  } else {
-    reject_value(entry, key, std::holds_alternative<std::string>(entry.value) ? unit_advice(key) : "");
-  }
-  check_range(entry, key, value);
-  return value;
-}
-
-CaseValue checked_integer(const Entry& entry, const Key& key) {
-  const auto* value = std::get_if<std::int64_t>(&entry.value);
-  if (!value) reject_value(entry, key);
-  check_range(entry, key, static_cast<double>(*value));
-  return *value;
-}
-
-CaseValue checked_list(const Entry& entry, const Key& key) {
-  if (key.kind == Kind::Choices) {
-    const auto* texts = std::get_if<std::vector<std::string>>(&entry.value);
-    if (!texts || texts->empty()) reject_value(entry, key);
-    for (const std::string& text : *texts) check_choice(entry, key, text);
-    return *texts;
-  }
-  const auto* numbers = std::get_if<std::vector<double>>(&entry.value);
-  if (!numbers || numbers->empty()) reject_value(entry, key);
-  for (const double number : *numbers) check_range(entry, key, number);
-  return *numbers;
-}
-
-/// The value in the type of its key. \throws InputError
-CaseValue checked(const Entry& entry, const Key& key) {
-  if (key.is_later && entry.found != key.default_text && key.kind != Kind::Choice && key.kind != Kind::Number) {
-    reject_as_later(entry);
-  }
-  const auto* text = std::get_if<std::string>(&entry.value);
-  if (key.takes_auto && text && *text == kAuto) return *text;
-  if (key.is_later && key.kind == Kind::Number) {
-    if (key.takes_auto) reject_as_later(entry);
-    const CaseValue number = checked_number(entry, key);
-    if (std::get<double>(number) != std::stod(std::string(key.default_text))) reject_as_later(entry);
-    return number;
-  }
-  switch (key.kind) {
-    case Kind::Number:
-      return checked_number(entry, key);
-    case Kind::Integer:
-      return checked_integer(entry, key);
-    case Kind::Boolean:
-      if (!std::holds_alternative<bool>(entry.value)) reject_value(entry, key);
-      if (std::get<bool>(entry.value) && !key.later.empty()) reject_as_later(entry);
-      return entry.value;
-    case Kind::Text:
-    case Kind::Choice:
-      if (!text) reject_value(entry, key);
-      if (text->empty()) reject_value(entry, key, ", which is empty");
-      if (key.kind == Kind::Choice) check_choice(entry, key, *text);
-      return *text;
-    case Kind::Choices:
-    case Kind::Numbers:
-      break;
-  }
-  return checked_list(entry, key);
 }
 
 PatchRule& rule_for(Case& settings, const Entry& entry) {
@@ -201,15 +101,15 @@ void read_length_part(Case& settings, const Entry& entry, const Key& key) {
     const auto* name = std::get_if<std::string>(&entry.value);
     if (!name || name->empty()) {
       throw InputError(fmt::format("{}: {}: expected the name of a point array of the surface file in quotes, found {}",
-                                   entry.value_place, join(entry.path), entry.found));
+                                   entry.value_place, name_of(entry), entry.found));
     }
     length.array = *name;
   } else if (part == "factor") {
     const Key factor = {.kind = Kind::Number, .range = key.range};
-    length.factor = std::get<double>(checked_number(entry, factor));
+    length.factor = checked_number(entry, factor);
   } else {
     throw InputError(fmt::format("{}: {}: unknown key; a length from an array takes array, factor", entry.key_place,
-                                 join(entry.path)));
+                                 name_of(entry)));
   }
 }
 
@@ -235,8 +135,8 @@ void read_table(Case& settings, const Entry& entry) {
     if (entry.path.size() == 2) rule_for(settings, entry);
     return;
   }
-  if (is_table_name(join(entry.path))) return;
-  std::string table = join({entry.path.begin(), entry.path.end() - 1});
+  if (is_table_name(name_of(entry))) return;
+  std::string table = join(std::span(entry.path).first(entry.path.size() - 1));
   if (entry.path.front() == kPatches) table = entry.path.size() == 3 ? kPatches : "";
   const Key* key = find_key(table, entry.path.back());
   if (!key && table == kPatches) key = find_key("layers", entry.path.back());
@@ -256,14 +156,14 @@ void read_value(Case& settings, const Entry& entry) {
   }
   if (const Key* length = length_of_part(entry)) return read_length_part(settings, entry, *length);
   const bool is_of_patch = path.front() == kPatches && path.size() == 3;
-  const std::string table = is_of_patch ? std::string(kPatches) : join({path.begin(), path.end() - 1});
+  const std::string table = is_of_patch ? std::string(kPatches) : join(std::span(path).first(path.size() - 1));
   if (!is_of_patch && !is_table_name(table)) reject_unknown_table(entry);
   const Key* key = find_key(table, name);
   if (!key && is_of_patch) key = find_key("layers", name);
   if (!key || (table == kPatches && !is_of_patch)) {
     throw InputError(fmt::format("{}: {}: unknown key{}", entry.key_place, join(path), advice(table, name)));
   }
-  const CaseValue value = checked(entry, *key);
+  const CaseValue value = checked_value(entry, *key);
   if (!key->set) return;
   PatchRule* rule = is_of_patch ? &rule_for(settings, entry) : nullptr;
   LayerSettings& layers = rule ? rule->layers : settings.layers;
@@ -271,12 +171,15 @@ void read_value(Case& settings, const Entry& entry) {
   key->set({settings, layers, rule}, value);
 }
 
-/// Puts the overrides in the place of what they override; new ones come last.
+/// Puts the overrides in the place of what they override, with all that is below; they come last.
 void apply_overrides(std::vector<Entry>& entries, std::span<const std::string> overrides) {
   for (const std::string& text : overrides) {
-    const Entry entry = read_override(text);
-    std::erase_if(entries, [&](const Entry& old) { return !old.is_table && old.path == entry.path; });
-    entries.push_back(entry);
+    const std::vector<Entry> added = read_override(text);
+    const std::vector<std::string>& path = added.front().path;
+    std::erase_if(entries, [&](const Entry& old) {
+      return old.path.size() >= path.size() && std::equal(path.begin(), path.end(), old.path.begin());
+    });
+    entries.insert(entries.end(), added.begin(), added.end());
   }
 }
 
@@ -305,6 +208,7 @@ Case parse_case(const std::string& text, const std::filesystem::path& file, std:
   }
   check_name(settings, file);
   check_heights(settings);
+  check_volume(settings, entries);
   return settings;
 }
 

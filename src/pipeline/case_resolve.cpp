@@ -45,9 +45,9 @@ IdVector<PatchId, PatchId> groups_of(const std::vector<PatchLayers>& patches) {
   IdVector<PatchId, PatchId> group(patches.size());
   for (const PatchId p : group.ids()) {
     const PatchLayers& patch = patches[p.index()];
-    if (patch.type != PatchType::Wall || !needs_vertices(patch.layers)) continue;
+    if (!has_layers(patch.type) || !needs_vertices(patch.layers)) continue;
     const auto alike = std::find_if(patches.begin(), patches.end(), [&](const PatchLayers& other) {
-      return other.type == PatchType::Wall && other.layers == patch.layers;
+      return has_layers(other.type) && other.layers == patch.layers;
     });
     group[p] = PatchId(static_cast<std::size_t>(alike - patches.begin()));
   }
@@ -99,7 +99,7 @@ void check_point_arrays(const Case& settings, const mesh::SurfaceMesh& surface) 
   IdVector<PatchId, PatchId> itself(patches.size());
   for (const PatchId patch : itself.ids()) {
     const PatchLayers& p = patches[patch.index()];
-    if (p.type == PatchType::Wall && !taken_by(p.layers).empty()) itself[patch] = patch;
+    if (has_layers(p.type) && !taken_by(p.layers).empty()) itself[patch] = patch;
   }
   const auto vertices = vertices_of(surface, itself);
   for (const PatchId patch : vertices.ids()) {
@@ -123,7 +123,7 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
   const auto group = groups_of(of_patches);
   const auto vertices = vertices_of(surface, group);
   const bool any_isotropic = std::any_of(of_patches.begin(), of_patches.end(), [](const PatchLayers& p) {
-    return p.type == PatchType::Wall && p.layers.until == Until::Isotropic;
+    return has_layers(p.type) && p.layers.until == Until::Isotropic;
   });
   const auto isotropic_heights =
       any_isotropic ? layers::isotropic_heights(surface, topology) : IdVector<VertexId, double>();
@@ -138,7 +138,7 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
     // A repair may have dropped all triangles of a patch: then there is nobody to ask.
     const bool is_empty = group[p].is_valid() && vertices[p].empty();
     patch.type = is_empty ? PatchType::NoLayer : from.type;
-    if (patch.type != PatchType::Wall) continue;
+    if (!has_layers(patch.type)) continue;
     set_schedule(settings, from.layers, title(surface.patch_names[p]),
                  {surface, arrays, isotropic_heights, vertices[p]}, patch);
     set_rest(from.layers, patch);
@@ -152,7 +152,7 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, std::span<const
   for (const std::string& name : patch_names) surface.patch_names.push_back(name);
   const auto of_patches = settings_of_patches(settings, patch_names);
   for (std::size_t p = 0; p < patch_names.size(); ++p) {
-    if (of_patches[p].type == PatchType::Wall && needs_vertices(of_patches[p].layers)) {
+    if (has_layers(of_patches[p].type) && needs_vertices(of_patches[p].layers)) {
       throw InputError(fmt::format("{}: {}: the heights follow from the surface, which is not there",
                                    settings.file.string(), title(patch_names[p])));
     }

@@ -114,8 +114,7 @@ std::string default_of(const Key& key) {
 
 std::string reference_row(const Key& key) {
   std::string takes = allowed(key);
-  if (key.is_later) takes = key.default_text.empty() ? "not in this version" : "only the default in this version";
-  if (!key.later.empty() && !key.is_later && key.kind != Kind::Boolean) {
+  if (!key.later.empty()) {
     takes += fmt::format("; not in this version: {}", fmt::join(key.later, ", "));
   }
   std::replace(takes.begin(), takes.end(), '|', '/');
@@ -131,7 +130,7 @@ std::string case_template(const std::optional<SurfaceFacts>& facts) {
   for (const auto table : case_tables()) {
     std::string lines;
     for (const Key& key : case_keys()) {
-      if (key.table == table && !key.is_later) lines += key_line(key, proposal);
+      if (key.table == table) lines += key_line(key, proposal);
     }
     if (lines.empty()) continue;
     out += header_of(table) + lines;

@@ -1,5 +1,6 @@
 #include "pipeline/report_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/case_keys.h"
@@ -19,6 +20,13 @@ Json to_json_value(const CaseValue& value) {
           return nullptr;
         } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, ArrayLength>) {
           return {{"array", v.array}, {"factor", v.factor}};
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::vector<SymmetrySetting>>) {
+          Json planes = Json::array();
+          for (const SymmetrySetting& plane : v) {
+            Json& json = planes.emplace_back(Json{{"axis", std::string(1, pipeline::kAxisNames[plane.axis])}});
+            if (plane.at) json["at"] = *plane.at;
+          }
+          return planes;
         } else {
           return v;
         }
@@ -45,8 +53,8 @@ Json point_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json patch_json(const PatchReport& patch) {
   const quality::PatchCoverage& c = patch.coverage;
-  Json json = {{"type", patch.type == PatchType::Wall ? "wall" : "nolayer"}, {"area", c.area}};
-  if (patch.type != PatchType::Wall) return json;
+  Json json = {{"type", type_name(patch.type)}, {"area", c.area}};
+  if (!has_layers(patch.type)) return json;
   json["full_percent"] = c.full_percent;
   json["all_layers_percent"] = c.all_layers_percent;
   json["any_percent"] = c.any_percent;
@@ -139,13 +147,18 @@ Json certificate_json(const certify::Certificate& c) {
 /// Keys of one table that have a value; tables of tables are nested.
 void add_value(Json& to, const Key& key, const CaseValue& value) {
   if (std::holds_alternative<std::monostate>(value)) return;
-  Json& table = key.table.empty() ? to : to[std::string(key.table)];
-  table[std::string(key.name)] = to_json_value(value);
+  Json* table = &to;
+  for (std::string_view rest = key.table; !rest.empty();) {
+    const std::size_t dot = std::min(rest.find('.'), rest.size());
+    table = &(*table)[std::string(rest.substr(0, dot))];
+    rest.remove_prefix(std::min(dot + 1, rest.size()));
+  }
+  (*table)[std::string(key.name)] = to_json_value(value);
 }
 
 Json rule_json(const Case& settings, const PatchRule& rule) {
   Json json = Json::object();
-  if (rule.type) json["type"] = *rule.type == PatchType::Wall ? "wall" : "nolayer";
+  if (rule.type) json["type"] = type_name(*rule.type);
   for (const Key& key : pipeline::case_keys()) {
     // Keys with a default always have a value: they are of the rule only where the rule differs from an empty one.
     if (key.table != "layers" || !key.get) continue;

@@ -155,8 +155,9 @@ void add_batch_command(CommandLine& line) {
   app.add_option("--template", request.template_file,
                  "mesh surfaces with this case file: its [surface] file is replaced by each")
       ->type_name("CASE.toml");
-  app.add_flag("--relative", request.has_relative_lengths,
-               "the template's layer heights are multiples of the diagonal of each surface's bounding box");
+  app.add_flag(
+      "--relative", request.has_relative_lengths,
+      "the template's lengths in [layers] and [volume] are multiples of the diagonal of each surface's bounding box");
   app.add_option("--exclude", request.excluded,
                  "leave out paths or file names that match, as in the shell: '*_domain*'; repeatable")
       ->type_name("PATTERN")

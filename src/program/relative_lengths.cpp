@@ -15,6 +15,19 @@ void multiply(LayerSettings& layers, double factor) {
   for (double& height : layers.heights) height *= factor;
 }
 
+void multiply(VolumeSettings& volume, double factor) {
+  FarFieldSettings& far_field = volume.far_field;
+  for (auto* length : {&far_field.radius, &far_field.size}) {
+    if (*length) **length *= factor;
+  }
+  for (auto* point : {&far_field.centre, &far_field.lower, &far_field.upper}) {
+    if (*point) **point *= factor;
+  }
+  for (SymmetrySetting& plane : volume.symmetry) {
+    if (plane.at) *plane.at *= factor;
+  }
+}
+
 }  // namespace
 
 void make_lengths_absolute(Case& settings) {
@@ -23,6 +36,7 @@ void make_lengths_absolute(Case& settings) {
   const double diagonal = box.diagonal() * settings.surface.scale;
   multiply(settings.layers, diagonal);
   for (PatchRule& rule : settings.patches) multiply(rule.layers, diagonal);
+  multiply(settings.volume, diagonal);
 }
 
 }  // namespace nearwall::program

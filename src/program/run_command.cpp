@@ -146,8 +146,9 @@ void add_run_command(CommandLine& line) {
   app.add_flag("--force", arguments->is_forced, "write into a folder that holds other things, too");
   app.add_flag("--resume", arguments->is_resumed,
                "do nothing if complete results of the same case, surface and version are there");
-  app.add_flag("--relative", arguments->has_relative_lengths,
-               "the case's layer heights are multiples of the diagonal of the surface's bounding box");
+  app.add_flag(
+      "--relative", arguments->has_relative_lengths,
+      "the case's lengths in [layers] and [volume] are multiples of the diagonal of the surface's bounding box");
 }
 
 }  // namespace nearwall::program

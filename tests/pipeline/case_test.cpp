@@ -218,12 +218,53 @@ INSTANTIATE_TEST_SUITE_P(
          "leave out one"},
         {"LevelStep", "max_level_step = 0\n",
          "dir/case.toml:5:18: layers.max_level_step: expected an integer from 1 to 1000 (layers) or \"auto\", found 0"},
-        {"Fill", "[volume]\nfill = \"tetgen\"\n",
-         "dir/case.toml:6:8: volume.fill: \"tetgen\" is not in this version; expected \"none\""},
-        {"FarFieldRadius", "[volume.farfield]\nradius = 10\n",
-         "dir/case.toml:6:10: volume.farfield.radius: 10 is not in this version"},
-        {"Symmetry", "[patches.mid]\ntype = \"symmetry\"\n",
-         "dir/case.toml:6:8: patches.mid.type: \"symmetry\" is not in this version; expected \"wall\", \"nolayer\""},
+        {"Fill", "[volume]\nfill = \"tetgne\"\n",
+         "dir/case.toml:6:8: volume.fill: expected \"none\", \"tetgen\", found \"tetgne\"; nearest: \"tetgen\""},
+        {"VolumeGrowth", "[volume]\ngrowth = 1\n",
+         "dir/case.toml:6:10: volume.growth: expected a number above 1, at most 3, found 1"},
+        {"FarFieldRadius", "[volume.farfield]\nradius = 0\n",
+         "dir/case.toml:6:10: volume.farfield.radius: expected a number above 0 (length) or \"auto\", found 0"},
+        {"KeyOfTheFarField", "[volume]\nfarfield = { shape = \"box\", radus = 3 }\n",
+         "dir/case.toml:6:29: volume.farfield.radus: unknown key; nearest: radius"},
+        {"FarFieldThatIsNoTable", "[volume]\nfarfield = \"box\"\n",
+         "dir/case.toml:6:12: volume.farfield: expected a table, found \"box\""},
+        {"CentreInThePlane", "[volume.farfield]\ncentre = [1, 2]\n",
+         "dir/case.toml:6:10: volume.farfield.centre: expected a list [x, y, z] of numbers (length) or \"auto\", found "
+         "[1, 2]"},
+        {"CornersOfASphere", "[volume.farfield]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n",
+         "dir/case.toml:6:1: volume.farfield.lower: for shape = \"box\" alone; a sphere has radius and centre"},
+        {"OneCorner", "[volume.farfield]\nshape = \"box\"\nupper = [1, 1, 1]\n",
+         "dir/case.toml:7:1: volume.farfield.upper: lower is missing: a box needs both corners, or radius"},
+        {"CornersInTheWrongOrder", "[volume.farfield]\nshape = \"box\"\nupper = [1, 1, 1]\nlower = [0, 1, 0]\n",
+         "dir/case.toml:8:1: volume.farfield.lower: expected less than upper along every axis, found y = 1 to 1"},
+        {"CornersAndRadius", "[volume.farfield]\nshape = \"box\"\nupper = [1, 1, 1]\nlower = [0, 0, 0]\nradius = 3\n",
+         "dir/case.toml:9:1: volume.farfield.radius: lower and upper determine the box; leave one or the other out"},
+        {"GivenOutside", "[volume.farfield]\nshape = \"given\"\n",
+         "dir/case.toml:6:1: volume.farfield.shape: \"given\" needs fluid = \"inside\" in [surface]: the outer "
+         "boundary "
+         "is a part of the surface, and the fluid lies inside of that"},
+        {"PlaneAcrossNothing", "[volume]\nsymmetry = [\"x\", \"w\"]\n",
+         "dir/case.toml:6:18: volume.symmetry: expected \"x\", \"y\", \"z\", found \"w\""},
+        {"PlaneByNumber", "[volume]\nsymmetry = [1]\n",
+         "dir/case.toml:6:13: volume.symmetry: expected a list of \"x\", \"y\", \"z\" or { axis = \"y\", at = 0.0 }, "
+         "found 1"},
+        {"PlaneThatIsNoList", "[volume]\nsymmetry = 1\n",
+         "dir/case.toml:6:12: volume.symmetry: expected a list of \"x\", \"y\", \"z\" or { axis = \"y\", at = 0.0 }, "
+         "found 1"},
+        {"KeyOfAPlane", "[volume]\nsymmetry = [{ axsi = \"y\" }]\n",
+         "dir/case.toml:6:15: volume.symmetry.axsi: unknown key; nearest: axis"},
+        {"PlaneWithoutAxis", "[volume]\nsymmetry = [\"x\", { at = 0 }]\n",
+         "dir/case.toml:6:18: volume.symmetry.axis: missing: \"x\", \"y\" or \"z\", the axis that the plane is "
+         "across"},
+        {"PlaneAtNoNumber", "[volume]\nsymmetry = [{ axis = \"y\", at = \"0\" }]\n",
+         "dir/case.toml:6:32: volume.symmetry.at: expected a number (length), found \"0\"; write a plain number "
+         "without "
+         "quotes: length in the scaled unit of the surface"},
+        {"PlaneTwice", "[volume]\nsymmetry = [\"y\", { axis = \"y\", at = 1 }]\n",
+         "dir/case.toml:6:1: volume.symmetry: two planes across \"y\" need an `at` each, and not the same one"},
+        {"PatchType", "[patches.mid]\ntype = \"symetry\"\n",
+         "dir/case.toml:6:8: patches.mid.type: expected \"wall\", \"nolayer\", \"symmetry\", \"inlet\", \"outlet\", "
+         "\"farfield\", found \"symetry\"; nearest: \"symmetry\""},
         {"MultiAngle", "[normals]\nmulti_angle = 190\n",
          "dir/case.toml:6:15: normals.multi_angle: expected a number from 1 to 179 (degrees), found 190"},
         {"MaxTurn", "[normals]\nmax_turn = 0\n",
@@ -277,6 +318,95 @@ TEST(ReadCase, SaysThatThereIsNoFile) {
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "/nowhere/case.toml: no such case file");
   }
+}
+
+TEST(ReadCase, FillsNothingByDefault) {
+  EXPECT_EQ(parse(kLeast).volume, VolumeSettings());
+  EXPECT_EQ(parse(case_template({})).volume, VolumeSettings());
+}
+
+TEST(ReadCase, ReadsAVolume) {
+  const VolumeSettings v = parse(kLeast + R"(
+[volume]
+fill = "tetgen"
+farfield = { shape = "box", lower = [-1, -2, -3], upper = [4, 5.5, 6], size = 0.5 }
+growth = 1.5
+symmetry = ["x", { axis = "z", at = -1 }]
+)")
+                               .volume;
+  EXPECT_EQ(v.fill, Fill::TetGen);
+  EXPECT_EQ(v.growth, 1.5);
+  EXPECT_EQ(v.far_field.shape, FarFieldShape::Box);
+  EXPECT_EQ(v.far_field.lower, Vec3(-1, -2, -3));
+  EXPECT_EQ(v.far_field.upper, Vec3(4, 5.5, 6));
+  EXPECT_EQ(v.far_field.size, 0.5);
+  EXPECT_FALSE(v.far_field.radius);
+  EXPECT_EQ(v.symmetry, (std::vector<SymmetrySetting>{{0, std::nullopt}, {2, -1.0}}));
+}
+
+TEST(ReadCase, ReadsAPlaneInEveryForm) {
+  const auto planes = [](const std::string& value) { return parse(kLeast + "[volume]\n" + value).volume.symmetry; };
+  const std::vector<SymmetrySetting> expected = {{1, std::nullopt}};
+  EXPECT_EQ(planes("symmetry = \"y\"\n"), expected);
+  EXPECT_EQ(planes("symmetry = [\"y\"]\n"), expected);
+  EXPECT_EQ(planes("symmetry = [{ axis = \"y\" }]\n"), expected);
+  EXPECT_EQ(planes("[[volume.symmetry]]\naxis = \"y\"\n"), expected);
+  EXPECT_TRUE(planes("symmetry = []\n").empty());
+  EXPECT_EQ(planes("symmetry = [{ axis = \"y\", at = 0 }, { axis = \"y\", at = 2 }]\n").size(), 2u);
+}
+
+TEST(ReadCase, TakesAFarFieldOfTheSurfaceWhereOneIs) {
+  const std::string inside = "[surface]\nfile = \"a.stl\"\nfluid = \"inside\"\n[layers]\nfirst_height = 1\n";
+  const std::string given = inside + "[volume.farfield]\nshape = \"given\"\n";
+  EXPECT_EQ(rejection(given),
+            "dir/case.toml:7:1: volume.farfield.shape: \"given\" needs the patch of the surface that is the outer "
+            "boundary: [patches.NAME] with type = \"farfield\"");
+  EXPECT_EQ(parse(given + "[patches.far]\ntype = \"farfield\"\n").volume.far_field.shape, FarFieldShape::Given);
+  EXPECT_EQ(
+      rejection(inside + "[volume]\nfarfield = { size = 3 }\n"),
+      "dir/case.toml:7:14: volume.farfield.size: no far field is made where the fluid lies inside of the surface, "
+      "which is the outer boundary then; leave it out");
+}
+
+TEST(PatchType, GivesLayersToWallsAlone) {
+  std::string text = kLeast;
+  std::vector<std::string> names;
+  for (const char* type : {"wall", "nolayer", "symmetry", "inlet", "outlet", "farfield"}) {
+    names.emplace_back(type);
+    text += "[patches." + names.back() + "]\ntype = \"" + type + "\"\ngrowth = 1.1\n";
+  }
+  const auto patches = resolve_patches(parse(text), names);
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    EXPECT_EQ(type_name(patches[p].type), names[p]);
+    EXPECT_EQ(has_layers(patches[p].type), p == 0);
+    EXPECT_EQ(is_side(patches[p].type), p > 1);
+    EXPECT_EQ(patches[p].schedule.heights.empty(), p != 0);
+  }
+}
+
+TEST(Overrides, ReachIntoTheVolume) {
+  const auto volume = [](const std::vector<std::string>& overrides) {
+    return parse(kLeast + "[volume]\nfarfield = { radius = 3, size = 1 }\nsymmetry = \"x\"\n", overrides).volume;
+  };
+  EXPECT_EQ(volume({"volume.fill=tetgen"}).fill, Fill::TetGen);
+  EXPECT_EQ(volume({"volume.farfield.radius=30"}).far_field.radius, 30);
+  EXPECT_EQ(volume({"volume.farfield.radius=30"}).far_field.size, 1);
+  EXPECT_EQ(volume({"volume.symmetry=z"}).symmetry, (std::vector<SymmetrySetting>{{2, std::nullopt}}));
+  EXPECT_EQ(volume({"volume.symmetry=[{axis=\"z\", at=1}]"}).symmetry, (std::vector<SymmetrySetting>{{2, 1.0}}));
+}
+
+TEST(Overrides, TakeWholeTables) {
+  const std::string text = kLeast + "[volume]\nfarfield = { radius = 3, size = 1 }\n";
+  const FarFieldSettings far = parse(text, {"volume.farfield={shape=\"box\", radius=4}"}).volume.far_field;
+  EXPECT_EQ(far.shape, FarFieldShape::Box);
+  EXPECT_EQ(far.radius, 4);
+  EXPECT_FALSE(far.size) << "a table replaces the one of the file";
+  const LayerSettings layers = parse(text, {"layers.first_height={ array=\"H\", factor=2 }"}).layers;
+  EXPECT_EQ(layers.first_height_array, (ArrayLength{"H", 2}));
+  EXPECT_FALSE(layers.first_height);
+  EXPECT_EQ(rejection(text, {"volume.farfield={radus=4}"}),
+            "--set volume.farfield={radus=4}: volume.farfield.radus: unknown key; nearest: radius");
+  EXPECT_EQ(rejection(text, {"layers=3"}), "--set layers=3: layers: expected a table, found 3");
 }
 
 TEST(Overrides, ReplaceValuesAndAddNewOnes) {

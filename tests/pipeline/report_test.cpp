@@ -95,6 +95,20 @@ TEST(ReportJson, EchoesEveryValueInForce) {
   EXPECT_EQ(c["patches"]["tip"], Json({{"type", "nolayer"}}));
   EXPECT_EQ(c["patches"]["w*"], Json({{"count", 7}}));
   EXPECT_EQ(c["output"]["formats"], Json({"vtu"}));
+  EXPECT_EQ(c["volume"], Json::parse(R"({"fill": "none", "growth": 1.3, "symmetry": [],
+      "farfield": {"shape": "sphere", "radius": "auto", "size": "auto", "centre": "auto"}})"));
+}
+
+TEST(ReportJson, EchoesAVolume) {
+  Report r = sample();
+  r.settings.volume.far_field.shape = FarFieldShape::Box;
+  r.settings.volume.far_field.upper = Vec3(3, 4, 5);
+  r.settings.volume.symmetry = {{1, 0.5}, {2, std::nullopt}};
+  r.patches[1].type = PatchType::Symmetry;
+  const Json j = Json::parse(to_json(r));
+  EXPECT_EQ(j["case"]["volume"]["farfield"]["upper"], Json::parse("[3.0, 4.0, 5.0]"));
+  EXPECT_EQ(j["case"]["volume"]["symmetry"], Json::parse(R"([{"axis": "y", "at": 0.5}, {"axis": "z"}])"));
+  EXPECT_EQ(j["patches"]["tip"]["type"], "symmetry");
 }
 
 TEST(ReportJson, WritesNumbersThatReadBackToTheSameBits) {

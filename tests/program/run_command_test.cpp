@@ -158,9 +158,17 @@ TEST(RunCommand, RelativeLengthsFollowTheDiagonal) {
   Workplace place;
   place.write_cube("cube.obj");
   place.write_case("case.toml", "cube.obj");
-  const Outcome outcome = place.run({"run", "case.toml", "--relative", "--json"});
+  const Outcome outcome = place.run({"run", "case.toml", "--relative", "--json", "--set",
+                                     "volume.farfield={ radius = 20, centre = [1, 0, 2] }", "--set",
+                                     "volume.symmetry=[{ axis = \"y\", at = -1 }]"});
   const json report = json::parse(outcome.out);
-  EXPECT_DOUBLE_EQ(report["patches"]["top"]["first_height"]["asked"].get<double>(), 0.01 * std::sqrt(3.0));
+  const double diagonal = std::sqrt(3.0);
+  EXPECT_DOUBLE_EQ(report["patches"]["top"]["first_height"]["asked"].get<double>(), 0.01 * diagonal);
+  const json volume = report["case"]["volume"];
+  EXPECT_DOUBLE_EQ(volume["farfield"]["radius"].get<double>(), 20 * diagonal);
+  EXPECT_EQ(volume["farfield"]["size"], "auto");
+  EXPECT_DOUBLE_EQ(volume["farfield"]["centre"][2].get<double>(), 2 * diagonal);
+  EXPECT_DOUBLE_EQ(volume["symmetry"][0]["at"].get<double>(), -diagonal);
 }
 
 TEST(RunCommand, SaysNothingButResultsIfQuiet) {

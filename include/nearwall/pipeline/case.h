@@ -4,8 +4,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "nearwall/core/vec3.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/spacing/schedule.h"
@@ -16,8 +18,17 @@
 
 namespace nearwall {
 
-/// What a patch is to the layers.
-enum class PatchType { Wall, NoLayer };
+/// What a patch is to the layers and to the volume.
+enum class PatchType { Wall, NoLayer, Symmetry, Inlet, Outlet, FarField };
+
+/// Only walls have them.
+constexpr bool has_layers(PatchType type) { return type == PatchType::Wall; }
+
+/// Whether a patch may be a plane in which the layers of its neighbours stay.
+constexpr bool is_side(PatchType type) { return type != PatchType::Wall && type != PatchType::NoLayer; }
+
+/// As in the case file: "wall", "nolayer", …
+std::string_view type_name(PatchType type);
 
 using layers::OnConflict;
 
@@ -80,6 +91,41 @@ struct SmoothingSettings {
   std::optional<int> iterations;  ///< nullopt: 2
 };
 
+/// What makes the cells between the layers and the outer boundary.
+enum class Fill { None, TetGen };
+
+enum class FarFieldShape {
+  Sphere,
+  Box,
+  Given,  ///< a patch of the surface file
+};
+
+/// The outer boundary where the fluid lies outside of the surface. What is empty follows from the surface.
+struct FarFieldSettings {
+  FarFieldShape shape = FarFieldShape::Sphere;
+  std::optional<double> radius;  ///< [length] of the sphere, half the edge of the box; nullopt: 50 diagonals
+  std::optional<double> size;    ///< [length] of the edges of its triangles
+  std::optional<Vec3> centre;    ///< nullopt: of the surface's box
+  std::optional<Vec3> lower;     ///< corner of the box, with upper; instead of radius and centre
+  std::optional<Vec3> upper;
+  friend bool operator==(const FarFieldSettings&, const FarFieldSettings&) = default;
+};
+
+/// A plane across an axis that bounds the domain: the surface lies on one side of it.
+struct SymmetrySetting {
+  int axis = 0;              ///< of its normal: 0 x, 1 y, 2 z
+  std::optional<double> at;  ///< its coordinate [length]; nullopt: where the open edges of the surface lie, else 0
+  friend bool operator==(const SymmetrySetting&, const SymmetrySetting&) = default;
+};
+
+struct VolumeSettings {
+  Fill fill = Fill::None;
+  double growth = 1.3;  ///< of the edges of tetrahedra from one to the next away from the layers, in ]1, 3]
+  FarFieldSettings far_field;
+  std::vector<SymmetrySetting> symmetry;
+  friend bool operator==(const VolumeSettings&, const VolumeSettings&) = default;
+};
+
 struct OutputSettings {
   std::filesystem::path directory = "out";  ///< as written; relative to the case file
   bool report = true;
@@ -100,6 +146,7 @@ struct Case {
   SmoothingSettings smoothing;
   LayerSettings layers;
   std::optional<spacing::FlowConditions> flow;
+  VolumeSettings volume;
   OutputSettings output;
 
   /// Name of the output files.
@@ -123,8 +170,8 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
 /// What is in force on one patch: the settings of [layers] and of all rules that match, put together.
 struct PatchSettings {
   PatchType type = PatchType::Wall;
-  /// Empty for NoLayer. Where vertices have lengths of their own, the stack that theirs are made from; where lines end
-  /// when they are isotropic, of as many layers as the widest triangles need.
+  /// Empty for all but walls. Where vertices have lengths of their own, the stack that theirs are made from; where
+  /// lines end when they are isotropic, of as many layers as the widest triangles need.
   spacing::Schedule schedule;
   std::optional<layers::VertexLength> first_height;     ///< of each vertex
   std::optional<layers::VertexLength> total_thickness;  ///< of each vertex
