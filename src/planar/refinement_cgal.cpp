@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +20,10 @@ constexpr double kRadius = 0.72;
 /// New points keep this distance from all others, and half of it from the edges given, over the size wanted there.
 constexpr double kSeparation = 0.65;
 constexpr int kSmoothingRounds = 12;
+/// Four times the square root of three: makes the shape of an equilateral triangle 1.
+const double kEquilateral = 4 * std::sqrt(3.0);
+/// Shapes that smoothing may make of better ones: an isosceles triangle of this shape has angles of 43 degrees.
+constexpr double kGoodShape = 0.85;
 
 double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
 
@@ -47,8 +50,10 @@ class Refinement {
   double size_at(const Point& p) const;
   bool refine_once();
   std::vector<Candidate> candidates();
+  bool has_room_beside(const Candidate& c, Face f) const;
   bool has_room(const Candidate& c, Face located);
   bool insert(const Candidate& c);
+  double worst_shape(const Point& p) const;
   void smooth_vertex(Vertex v);
   void restore_delaunay();
 
@@ -56,8 +61,8 @@ class Refinement {
   std::uint32_t n_given_;
   const SizeFunction& size_;
   std::vector<Vertex> added_;
-  std::vector<Face> conflicts_;                 // kept for their memory
-  std::vector<std::pair<Point, Point>> links_;  // the same
+  std::vector<std::pair<Face, Face>> conflicts_;  // kept for their memory
+  std::vector<std::pair<Point, Point>> links_;    // the same
 };
 
 double Refinement::size_at(const Point& p) const {
@@ -87,17 +92,29 @@ std::vector<Refinement::Candidate> Refinement::candidates() {
   return result;
 }
 
-/// True if the place is far enough from all vertices and given edges that it would be connected to.
+bool Refinement::has_room_beside(const Candidate& c, Face f) const {
+  for (int i = 0; i < 3; ++i) {
+    if (distance(f->vertex(i)->point(), c.place) < kSeparation * c.size) return false;
+    if (!f->is_constrained(i)) continue;
+    const Kernel::Segment_2 edge(f->vertex(t_.ccw(i))->point(), f->vertex(t_.cw(i))->point());
+    const double room = 0.5 * kSeparation * std::min(c.size, std::sqrt(edge.squared_length()));
+    if (CGAL::squared_distance(edge, c.place) < room * room) return false;
+  }
+  return true;
+}
+
+/// True if the place is far enough from all vertices and given edges that it would be connected to. Stops at the first
+/// that is too near: most places are refused, and may be in the circumcircles of very many faces.
 bool Refinement::has_room(const Candidate& c, Face located) {
-  conflicts_.clear();
-  t_.get_conflicts(c.place, std::back_inserter(conflicts_), located);
-  for (const Face f : conflicts_) {
+  conflicts_.assign(1, {located, Face()});
+  while (!conflicts_.empty()) {
+    const auto [f, from] = conflicts_.back();
+    conflicts_.pop_back();
+    if (!has_room_beside(c, f)) return false;
+    // Seen across edges, the faces in conflict are a tree: none comes up twice.
     for (int i = 0; i < 3; ++i) {
-      if (distance(f->vertex(i)->point(), c.place) < kSeparation * c.size) return false;
-      if (!f->is_constrained(i)) continue;
-      const Kernel::Segment_2 edge(f->vertex(t_.ccw(i))->point(), f->vertex(t_.cw(i))->point());
-      const double room = 0.5 * kSeparation * std::min(c.size, std::sqrt(edge.squared_length()));
-      if (CGAL::squared_distance(edge, c.place) < room * room) return false;
+      const Face g = f->neighbor(i);
+      if (g != from && !f->is_constrained(i) && t_.test_conflict(c.place, g)) conflicts_.push_back({g, f});
     }
   }
   return true;
@@ -129,8 +146,20 @@ bool Refinement::refine_once() {
   return added;
 }
 
+/// Shape of the worst triangle between a place and the links of a vertex: area over the sum of squared edges, 1 for an
+/// equilateral triangle; not above 0 if one turns over.
+double Refinement::worst_shape(const Point& p) const {
+  double worst = 1;
+  for (const auto& [a, b] : links_) {
+    if (CGAL::orientation(p, a, b) != CGAL::LEFT_TURN) return 0;
+    const double edges = CGAL::squared_distance(p, a) + CGAL::squared_distance(a, b) + CGAL::squared_distance(b, p);
+    worst = std::min(worst, kEquilateral * CGAL::area(p, a, b) / edges);
+  }
+  return worst;
+}
+
 /// Moves a vertex to the mean of the centroids of its triangles, weighted so that sizes are kept, unless one of them
-/// would turn over.
+/// would turn over or get a bad shape, worse than the worst that is there.
 void Refinement::smooth_vertex(Vertex v) {
   double weight = 0, u = 0, w = 0;
   links_.clear();
@@ -145,10 +174,8 @@ void Refinement::smooth_vertex(Vertex v) {
     links_.push_back({a->point(), b->point()});
   } while (++f != first);
   const Point moved(u / weight, w / weight);
-  for (const auto& [a, b] : links_) {
-    if (CGAL::orientation(moved, a, b) != CGAL::LEFT_TURN) return;
-  }
-  v->set_point(moved);
+  const double shape = worst_shape(moved);
+  if (shape > 0 && (shape >= kGoodShape || shape >= worst_shape(v->point()))) v->set_point(moved);
 }
 
 /// Flips edges until all faces inside are Delaunay again.
