@@ -68,7 +68,7 @@ class Parts {
 
  private:
   void join(std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax(of(ComponentId(a)), of(ComponentId(b)));
+    const auto [low, high] = std::minmax({of(ComponentId(a)), of(ComponentId(b))});
     part_[high] = low;
   }
 

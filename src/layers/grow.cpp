@@ -67,7 +67,7 @@ class Settling {
         shrinker_(wall, plan, field),
         component_(wetted_components(wall)),
         virtual_faces_(virtual_faces_of_vertices(plan.front)),
-        resolution_(resolution(wall)),
+        resolution_(resolution(wall, field)),
         front_changed_(plan.front.faces.size(), 1) {}
 
   void run(ProgressSink& progress) {

@@ -56,9 +56,11 @@ void add_pieces(const LinePlan& plan, mesh::Lines& lines) {
 
 }  // namespace
 
-double resolution(const Wall& wall) {
+double resolution(const Wall& wall, const VertexField& field) {
   double largest = 0;
-  for (const Vec3& p : wall.surface.points) largest = std::max(largest, max_norm(p));
+  for (const VertexId v : wall.surface.points.ids()) {
+    if (field.asked[v] > 0) largest = std::max(largest, max_norm(wall.surface.points[v]));
+  }
   return kResolvableUlps * std::numeric_limits<double>::epsilon() * largest;
 }
 
@@ -71,7 +73,7 @@ mesh::Lines make_lines(const Wall& wall, const LinePlan& plan, const Stacks& sta
   lines.heights.resize(n);
   lines.windows.resize(n);
   add_pieces(plan, lines);
-  const double finest = resolution(wall);
+  const double finest = resolution(wall, field);
   parallel_for(wall.surface.points.size(), [&](std::size_t i) {
     const VertexId v(i);
     for (const LineId line : front.lines_of(v)) lines.base[line] = wall.surface.points[v];

@@ -15,6 +15,6 @@ void update_lines(const LinePlan& plan, const Stacks& stacks, std::span<const Ve
                   VertexField& field, mesh::Lines& lines);
 
 /// Smallest height that coordinates of this size can resolve.
-double resolution(const Wall& wall);
+double resolution(const Wall& wall, const VertexField& field);
 
 }  // namespace nearwall::layers

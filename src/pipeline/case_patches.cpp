@@ -52,10 +52,7 @@ LayerSettings merged(LayerSettings base, const LayerSettings& over) {
     base.growth.reset(), base.count.reset(), base.law.reset();
   }
   if (over.has_first_height()) drop_first_height(base);
-  if (over.has_total_thickness()) {
-    drop_total_thickness(base);
-    base.until.reset();
-  }
+  if (over.has_total_thickness()) drop_total_thickness(base);
   if (over.until == Until::Isotropic) drop_total_thickness(base);
   const auto take = [](auto& to, const auto& from) {
     if (from) to = from;
@@ -92,6 +89,15 @@ LayerSettings merged(LayerSettings base, const LayerSettings& over) {
   return base;
 }
 
+/// A thickness and an `until` that is inherited: neither is meant less than the other.
+void check_until(const LayerSettings& base, const PatchRule& rule) {
+  if (base.until != Until::Isotropic || rule.layers.until || !rule.layers.has_total_thickness()) return;
+  throw InputError(
+      fmt::format("{}: patches.{}: total_thickness and until = \"isotropic\", which is inherited, exclude each other; "
+                  "add until = \"count\" here, or leave total_thickness out",
+                  rule.layers.where, rule.pattern));
+}
+
 bool has_heights(const LayerSettings& s) {
   return s.has_first_height() || s.has_total_thickness() || !s.heights.empty();
 }
@@ -126,11 +132,20 @@ void check_heights(const Case& settings) {
   if (has_heights(settings.layers)) check_schedule(settings, settings.layers, "layers");
 }
 
+/// Names of the patches that a run may make itself: a rule for them need match none of the file's.
+bool may_be_made(const Case& settings, const std::string& pattern) {
+  if (settings.volume.fill == Fill::None && settings.volume.symmetry.empty()) return false;
+  for (const char* stem : {"farfield", "symmetry"}) {
+    if (pattern == stem || pattern.starts_with(std::string(stem) + "-")) return true;
+  }
+  return false;
+}
+
 std::vector<PatchLayers> settings_of_patches(const Case& settings, std::span<const std::string> patch_names) {
   for (const PatchRule& rule : settings.patches) {
-    const bool is_used =
-        rule.pattern == "*" || std::any_of(patch_names.begin(), patch_names.end(),
-                                           [&](const auto& name) { return matches(rule.pattern, name); });
+    const bool is_used = rule.pattern == "*" || may_be_made(settings, rule.pattern) ||
+                         std::any_of(patch_names.begin(), patch_names.end(),
+                                     [&](const auto& name) { return matches(rule.pattern, name); });
     if (!is_used) reject_rule(rule, patch_names);
   }
   std::vector<PatchLayers> patches;
@@ -140,8 +155,9 @@ std::vector<PatchLayers> settings_of_patches(const Case& settings, std::span<con
     for (const bool exact : {false, true}) {
       for (const PatchRule& rule : settings.patches) {
         if (is_pattern(rule) == exact || !matches(rule.pattern, name)) continue;
-        patch.layers = merged(patch.layers, rule.layers);
         patch.type = rule.type.value_or(patch.type);
+        if (has_layers(patch.type)) check_until(patch.layers, rule);
+        patch.layers = merged(patch.layers, rule.layers);
       }
     }
   }
@@ -149,5 +165,13 @@ std::vector<PatchLayers> settings_of_patches(const Case& settings, std::span<con
 }
 
 }  // namespace pipeline
+
+std::vector<PatchType> patch_types(const Case& settings, std::span<const std::string> patch_names) {
+  std::vector<PatchType> types;
+  for (const pipeline::PatchLayers& patch : pipeline::settings_of_patches(settings, patch_names)) {
+    types.push_back(patch.type);
+  }
+  return types;
+}
 
 }  // namespace nearwall

@@ -6,6 +6,7 @@
 #include "nearwall/core/errors.h"
 #include "nearwall/layers/isotropic.h"
 #include "pipeline/case_patches.h"
+#include "pipeline/length_warnings.h"
 #include "pipeline/patch_schedules.h"
 
 namespace nearwall {
@@ -37,6 +38,17 @@ IdVector<PatchId, std::vector<VertexId>> vertices_of(const mesh::SurfaceMesh& su
     of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
   }
   return vertices;
+}
+
+/// Triangles of groups of patches, as above.
+IdVector<PatchId, std::vector<FaceId>> faces_of(const mesh::SurfaceMesh& surface,
+                                                const IdVector<PatchId, PatchId>& group) {
+  IdVector<PatchId, std::vector<FaceId>> faces(group.size());
+  for (const FaceId f : surface.faces.ids()) {
+    const PatchId patch = group[surface.face_patch[f]];
+    if (patch.is_valid()) faces[patch].push_back(f);
+  }
+  return faces;
 }
 
 /// Of the patches whose heights depend on their vertices the first one with the same settings; invalid for the others.
@@ -74,8 +86,7 @@ std::vector<Taken> taken_by(const LayerSettings& layers) {
       "{}: {}: {}: expected a number above 0 at every point of the patch, found {} in array \"{}\" at point {} "
       "(counted "
       "from 0) at ({:.6g}, {:.6g}, {:.6g}) of the file; set it there, or give the patch a number of its own",
-      layers.where.empty() ? settings.file.string() : layers.where, title(patch), taken.key, value, taken.length.array,
-      v.index(), p.x(), p.y(), p.z()));
+      place_of(settings, layers), title(patch), taken.key, value, taken.length.array, v.index(), p.x(), p.y(), p.z()));
 }
 
 }  // namespace
@@ -122,6 +133,7 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
   const auto arrays = point_arrays(settings);
   const auto group = groups_of(of_patches);
   const auto vertices = vertices_of(surface, group);
+  const auto faces = faces_of(surface, group);
   const bool any_isotropic = std::any_of(of_patches.begin(), of_patches.end(), [](const PatchLayers& p) {
     return has_layers(p.type) && p.layers.until == Until::Isotropic;
   });
@@ -132,6 +144,7 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
     const PatchLayers& from = of_patches[p.index()];
     if (group[p].is_valid() && group[p] != p) {
       patches.push_back(patches[group[p].index()]);
+      patches.back().warnings.clear();
       continue;
     }
     PatchSettings& patch = patches.emplace_back();
@@ -139,9 +152,14 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
     const bool is_empty = group[p].is_valid() && vertices[p].empty();
     patch.type = is_empty ? PatchType::NoLayer : from.type;
     if (!has_layers(patch.type)) continue;
-    set_schedule(settings, from.layers, title(surface.patch_names[p]),
-                 {surface, arrays, isotropic_heights, vertices[p]}, patch);
+    const std::string name = title(surface.patch_names[p]);
+    const PatchVertices of_group = {surface, arrays, isotropic_heights, vertices[p]};
+    set_schedule(settings, from.layers, name, of_group, patch);
     set_rest(from.layers, patch);
+    patch.warnings = length_warnings(patch, of_group, faces[p]);
+    for (std::string& warning : patch.warnings) {
+      warning = fmt::format("{}: {}: {}", place_of(settings, from.layers), name, warning);
+    }
   }
   return patches;
 }

@@ -220,12 +220,15 @@ void at_place(const Case& settings, const LayerSettings& layers, const std::stri
   try {
     action();
   } catch (const InputError& e) {
-    const std::string place = layers.where.empty() ? settings.file.string() : layers.where;
-    throw InputError(fmt::format("{}: {}: {}", place, table, e.what()));
+    throw InputError(fmt::format("{}: {}: {}", place_of(settings, layers), table, e.what()));
   }
 }
 
 }  // namespace
+
+std::string place_of(const Case& settings, const LayerSettings& layers) {
+  return layers.where.empty() ? settings.file.string() : layers.where;
+}
 
 bool needs_vertices(const LayerSettings& layers) {
   return layers.first_height_array || layers.total_thickness_array || layers.until == Until::Isotropic;

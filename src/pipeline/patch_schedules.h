@@ -17,6 +17,9 @@ struct PatchVertices {
   std::span<const VertexId> vertices;  ///< of the patch and those alike; empty if its heights do not depend on them
 };
 
+/// Where settings stand in the case file, for messages.
+std::string place_of(const Case& settings, const LayerSettings& layers);
+
 /// Whether the heights of a patch depend on its vertices.
 bool needs_vertices(const LayerSettings& layers);
 

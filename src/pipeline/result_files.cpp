@@ -73,11 +73,11 @@ void write_meshes(const Result& result, const std::string& name, OutputDirectory
   progress.begin_stage("writing");
   const mesh::SurfaceMesh& wall = result.wall.surface;
   const mesh::LayerSource source(result.layers, wall.face_patch, wall.points.raw());
-  const InputNumbered numbered(source, result.prepared.admission.input_face);
+  const InputNumbered numbered(source, result.prepared.input_face);
   const io::CellArray extra[] = {scaled_jacobians()};
   io::write_vtu(output.aside(name + ".vtu"), numbered, extra, {wall.patch_names.raw()}, &progress);
   io::write_polydata(output.aside(name + "-surface.vtp"),
-                     surface_file(result.wall, result.growth, result.coverage, result.prepared.admission.input_face));
+                     surface_file(result.wall, result.growth, result.coverage, result.prepared.input_face));
   io::write_polydata(output.aside(name + "-front.vtp"), front_file(result.wall, result.growth));
   progress.end_stage();
 }

@@ -104,14 +104,15 @@ layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSe
   return options;
 }
 
-layers::Wall wall_of(const Case& settings, const Prepared& prepared) {
-  return {prepared.surface(), prepared.topology, prepared.features, prepared.is_wetted,
-          settings.surface.fluid == surface::FluidSide::Inside};
+layers::Wall wall_of(const Prepared& prepared) {
+  return {prepared.surface(), prepared.topology,        prepared.features,
+          prepared.is_wetted, prepared.fluid_is_inside, &prepared.wall.planes};
 }
 
 certify::Certificate certify_or_fail(const mesh::LayerMesh& layer_mesh, const layers::Wall& wall,
                                      ProgressSink& progress) {
-  const certify::CertifiedWall certified{wall.surface, layers::wetted_components(wall), wall.fluid_is_inside};
+  const certify::CertifiedWall certified{wall.surface, layers::wetted_components(wall), wall.fluid_is_inside,
+                                         wall.planes};
   const certify::Certificate c = certify::certify_layers(layer_mesh, certified, progress);
   if (!c.is_valid() || !(c.closure() <= kLargestClosure)) {
     throw InternalError(
@@ -161,7 +162,7 @@ void write_reports(const std::vector<Picture>& pictures, OutputDirectory& output
 }
 
 Forecast forecast_of(const Case& settings, const Prepared& prepared, const std::vector<PatchSettings>& patches) {
-  const layers::Wall wall = wall_of(settings, prepared);
+  const layers::Wall wall = wall_of(prepared);
   const layers::GrowOptions options = grow_options(settings, patches);
   const bool any_isotropic =
       std::any_of(patches.begin(), patches.end(), [](const auto& patch) { return patch.is_until_isotropic; });
@@ -172,7 +173,7 @@ Forecast forecast_of(const Case& settings, const Prepared& prepared, const std::
 /// Layers, certificate, figures and files of a wall that was admitted.
 void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector<PatchSettings>& patches,
                OutputDirectory& output, StageClock& clock, Report& report) {
-  const layers::Wall wall = wall_of(settings, prepared);
+  const layers::Wall wall = wall_of(prepared);
   const layers::Growth growth = layers::grow(wall, grow_options(settings, patches), clock);
   const mesh::LayerMesh layers(growth.front, growth.lines);
   report.certificate = certify_or_fail(layers, wall, clock);
@@ -213,11 +214,15 @@ Report run(const Case& settings, const RunOptions& options, ProgressSink* progre
   report.input_sha256 = sha256_of_file(settings.surface_path());
   report.surface = describe_surface(prepared);
   for (const std::string& repair : prepared.admission.repairs) clock.note(repair);
+  for (const std::string& note : prepared.notes) clock.note(note);
   if (report.surface.unwetted_components > 0) {
     clock.warn(fmt::format("{} of {} components are out of the fluid's reach and get no layers",
                            report.surface.unwetted_components, report.surface.components));
   }
-  const auto patches = resolve_patches(settings, prepared.surface(), prepared.topology);
+  const auto patches = resolve_patches(prepared.settings, prepared.surface(), prepared.topology);
+  for (const PatchSettings& patch : patches) {
+    for (const std::string& warning : patch.warnings) clock.warn(warning);
+  }
   report.forecast = forecast_of(settings, prepared, patches);
   check_thickness(settings, patches, report.forecast.box.diagonal());
   clock.note(describe(report.forecast));

@@ -38,7 +38,7 @@ class Grouping {
       if (role_of(f) == SideRole::None) continue;
       const auto& v = surface.faces[f];
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax(v[k].index(), v[(k + 1) % 3].index());
+        const auto [low, high] = std::minmax({v[k].index(), v[(k + 1) % 3].index()});
         edges.push_back({low, high, f});
       }
     }
@@ -74,7 +74,7 @@ class Grouping {
     return i;
   }
   void join(FaceId a, FaceId b) {
-    const auto [low, high] = std::minmax(root(a.index()), root(b.index()));
+    const auto [low, high] = std::minmax({root(a.index()), root(b.index())});
     parent_[high] = low;
   }
 

@@ -180,6 +180,8 @@ struct PatchSettings {
   OnConflict on_conflict = OnConflict::Auto;
   std::optional<int> max_level_step;  ///< levels between neighbouring lines that move; nullopt: any
   double min_coverage = 0;            ///< [percent]
+  /// What is asked for and cannot be had whatever the room, for the patch and those alike: said of the first one.
+  std::vector<std::string> warnings;
 };
 
 /// Names of the point arrays that a case takes lengths from, each once: those that its surface is read with.
@@ -198,6 +200,9 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
 
 /// The same from the names of the patches alone. \throws InputError  also where heights depend on the surface
 std::vector<PatchSettings> resolve_patches(const Case& settings, std::span<const std::string> patch_names);
+
+/// Types of patches of these names. \throws InputError  if a rule matches no patch (with the nearest name)
+std::vector<PatchType> patch_types(const Case& settings, std::span<const std::string> patch_names);
 
 /// What `nearwall init SURFACE` knows of a surface.
 struct SurfaceFacts {

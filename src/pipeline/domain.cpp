@@ -1,0 +1,180 @@
+#include "pipeline/domain.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "nearwall/certify/certificate.h"
+#include "nearwall/core/errors.h"
+#include "nearwall/volume/outer_boundary.h"
+#include "nearwall/volume/symmetry_cuts.h"
+
+namespace nearwall::pipeline {
+
+namespace {
+
+using surface::SideRole;
+
+/// Radius of the far field in diagonals of the surface unless another one is given.
+constexpr double kFarFieldDiagonals = 50;
+
+/// Edges of the far field's triangles in its radius: about as many as coarse far fields of the drag workshops have.
+constexpr double kFarFieldSize = 0.1;
+
+bool has_sides(const IdVector<PatchId, SideRole>& roles) {
+  return std::any_of(roles.begin(), roles.end(), [](SideRole role) { return role != SideRole::None; });
+}
+
+/// What was made has a type, unless the case gives it another.
+void add_rule(Case& settings, const std::string& patch, PatchType type) {
+  PatchRule rule;
+  rule.pattern = patch;
+  rule.type = type;
+  settings.patches.insert(settings.patches.begin(), rule);
+}
+
+IdVector<FaceId, char> wetted(const surface::Admission& admission) {
+  IdVector<FaceId, char> is_wetted(admission.surface.faces.size(), 1);
+  for (const FaceId f : is_wetted.ids()) is_wetted[f] = admission.components[admission.face_component[f]].is_wetted;
+  return is_wetted;
+}
+
+surface::OpenWall closed_wall(surface::Admission& admission) {
+  surface::OpenWall wall;
+  wall.surface = std::move(admission.surface);
+  for (const FaceId f : wall.surface.faces.ids()) wall.face.push_back(f);
+  for (const VertexId v : wall.surface.points.ids()) wall.vertex.push_back(v);
+  return wall;
+}
+
+std::vector<volume::SymmetryPlane> symmetry_planes(const surface::OpenWall& wall, const Case& settings) {
+  std::vector<volume::SymmetryPlane> planes;
+  for (std::size_t p = 0; p < wall.planes.planes.size(); ++p) {
+    const mesh::SidePlane& plane = wall.planes.planes[p];
+    if (wall.role[p] != SideRole::Symmetry) continue;
+    if (plane.axis < 0) {
+      throw InputError(
+          "the plane of symmetry of an external flow has to be normal to x, y or z; turn the surface, or "
+          "give the whole domain as a surface with fluid = \"inside\"");
+    }
+    const double sign = plane.normal[plane.axis];
+    planes.push_back({plane.axis, plane.offset * sign, sign > 0 ? 1 : -1});
+  }
+  const Vec3 middle = geometry::bounding_box(wall.surface.points.raw()).centre();
+  for (const SymmetrySetting& asked : settings.volume.symmetry) {
+    const bool is_there =
+        std::any_of(planes.begin(), planes.end(), [&](const auto& p) { return p.axis == asked.axis; });
+    const double at = asked.at.value_or(0);
+    if (!is_there) planes.push_back({asked.axis, at, middle[asked.axis] >= at ? 1 : -1});
+  }
+  return planes;
+}
+
+volume::FarField far_field(const surface::OpenWall& wall, const Case& settings) {
+  const FarFieldSettings& asked = settings.volume.far_field;
+  const geometry::Box box = geometry::bounding_box(wall.surface.points.raw());
+  volume::FarField far;
+  far.shape = asked.shape == FarFieldShape::Box ? volume::FarFieldShape::Box : volume::FarFieldShape::Sphere;
+  far.planes = symmetry_planes(wall, settings);
+  far.centre = asked.centre.value_or(box.centre());
+  for (const auto& plane : far.planes) far.centre[plane.axis] = plane.position;
+  far.radius = asked.radius.value_or(kFarFieldDiagonals * box.diagonal());
+  const Vec3 half(far.radius, far.radius, far.radius);
+  far.box = {asked.lower.value_or(far.centre - half), asked.upper.value_or(far.centre + half)};
+  const double extent = asked.lower ? 0.5 * far.box.diagonal() : far.radius;
+  far.size = asked.size.value_or(kFarFieldSize * extent);
+  return far;
+}
+
+/// The front at the wall, before any layer.
+void require_closed(const surface::OpenWall& wall) {
+  const mesh::SurfaceMesh& surface = wall.surface;
+  const mesh::Front front = mesh::plain_front(surface);
+  certify::FrontSurface base;
+  base.points = surface.points.raw();
+  base.is_moved.resize(base.points.size(), 0);
+  for (const VertexId v : surface.points.ids()) base.point_of_line.push_back(v.index());
+  for (const FaceId f : surface.faces.ids()) {
+    const auto& v = surface.faces[f];
+    base.triangles.push_back({v[0].index(), v[1].index(), v[2].index()});
+    base.face.push_back(FrontFaceId(f.index()));
+  }
+  const auto wrong = certify::close_front(front, wall.planes, base);
+  if (wrong.empty()) return;
+  const FaceId f(wrong.front().index());
+  const Vec3& p = surface.points[surface.faces[f][0]];
+  throw GeometryError(fmt::format(
+      "the edges of patch \"{}\" on the sides of the domain do not close to loops, near ({:.6g}, {:.6g}, {:.6g}); look "
+      "whether its open edges all lie on planes of symmetry, or give the sides another type than symmetry, inlet, "
+      "outlet",
+      surface.patch_names[surface.face_patch[f]], p.x(), p.y(), p.z()));
+}
+
+}  // namespace
+
+bool has_far_field(const Case& settings) {
+  return settings.surface.fluid == surface::FluidSide::Outside &&
+         (settings.volume.fill != Fill::None || !settings.volume.symmetry.empty());
+}
+
+IdVector<PatchId, SideRole> side_roles(const Case& settings, const mesh::SurfaceMesh& surface) {
+  IdVector<PatchId, SideRole> roles;
+  for (const PatchType type : patch_types(settings, surface.patch_names.raw())) {
+    roles.push_back(type == PatchType::Symmetry ? SideRole::Symmetry
+                    : is_side(type)             ? SideRole::Opening
+                                                : SideRole::None);
+  }
+  return roles;
+}
+
+mesh::SurfaceMesh with_flat_sides(mesh::SurfaceMesh surface, Case& settings, std::vector<std::string>& notes) {
+  if (!settings.volume.symmetry.empty()) {
+    std::vector<volume::CutPlane> cuts;
+    for (const SymmetrySetting& plane : settings.volume.symmetry) {
+      const bool is_only = settings.volume.symmetry.size() == 1;
+      cuts.push_back({plane.axis, plane.at, is_only ? "symmetry" : fmt::format("symmetry-{}", "xyz"[plane.axis])});
+    }
+    volume::CutClosing closing = volume::close_cuts(surface, cuts);
+    for (std::size_t p = 0; p < cuts.size(); ++p) {
+      if (closing.caps[p] == 0) continue;
+      add_rule(settings, cuts[p].patch, PatchType::Symmetry);
+      notes.push_back(fmt::format("the surface is open at the plane of symmetry {} = {:.6g} and goes on beyond it",
+                                  "xyz"[cuts[p].axis], closing.at[p]));
+    }
+    surface = std::move(closing.surface);
+  }
+  const auto roles = side_roles(settings, surface);
+  if (!has_sides(roles)) return surface;
+  const double move = surface::flatten(surface::find_side_regions(surface, roles), surface);
+  if (move > 0)
+    notes.push_back(fmt::format("points of flat sides were moved onto their planes, by {:.3g} at most", move));
+  return surface;
+}
+
+surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
+  const auto roles = side_roles(settings, admission.surface);
+  surface::OpenWall wall;
+  if (has_sides(roles)) {
+    surface::OpenWallOptions options;
+    options.fluid = settings.surface.fluid;
+    for (const PatchType type : patch_types(settings, admission.surface.patch_names.raw())) {
+      options.has_layers.push_back(has_layers(type) ? 1 : 0);
+    }
+    wall = surface::open_at_sides(admission.surface, surface::find_side_regions(admission.surface, roles),
+                                  wetted(admission), options);
+  } else {
+    wall = closed_wall(admission);
+  }
+  const bool is_cut = settings.surface.fluid == surface::FluidSide::Outside && !wall.planes.empty();
+  if (has_far_field(settings) || is_cut) {
+    const std::size_t n_patches = wall.surface.patch_names.size();
+    volume::add_far_field(far_field(wall, settings), wall);
+    for (std::size_t p = n_patches; p < wall.surface.patch_names.size(); ++p) {
+      add_rule(settings, wall.surface.patch_names[PatchId(p)], PatchType::FarField);
+    }
+  }
+  if (!wall.planes.empty()) require_closed(wall);
+  return wall;
+}
+
+}  // namespace nearwall::pipeline
