@@ -183,11 +183,62 @@ TEST_F(PatchLengths, GiveWayToThoseOfThePatch) {
       "total_thickness = 0.1\ngrowth = 1.3\n[patches.sphere]\nfirst_height = 1e-3\n"
       "until = \"isotropic\"\n");
   EXPECT_TRUE(until.is_until_isotropic);
-  const PatchSettings thick = resolved(
-      "first_height = 1e-3\nuntil = \"isotropic\"\n[patches.sphere]\ntotal_thickness = "
-      "0.1\n");
-  EXPECT_FALSE(thick.is_until_isotropic) << "what is inherited gives way";
-  EXPECT_NEAR(thick.schedule.total_thickness, 0.1, 1e-12);
+}
+
+TEST_F(PatchLengths, AreRefusedWhereTheInheritedEndContradictsThem) {
+  const std::string base = "first_height = 1e-3\nuntil = \"isotropic\"\n[patches.sphere]\n";
+  EXPECT_EQ(
+      rejection(base + "total_thickness = 0.1\n"),
+      "case.toml:7:1: patches.sphere: total_thickness and until = \"isotropic\", which is inherited, exclude each "
+      "other; add until = \"count\" here, or leave total_thickness out");
+  EXPECT_EQ(rejection(base + "total_thickness = 0.1\ntype = \"nolayer\"\n"), "accepted");
+  const PatchSettings counted = resolved(base + "until = \"count\"\ntotal_thickness = 0.1\n");
+  EXPECT_FALSE(counted.is_until_isotropic);
+  EXPECT_NEAR(counted.schedule.total_thickness, 0.1, 1e-12);
+}
+
+TEST_F(PatchLengths, WarnWhereTheThicknessOverrulesTheFirstHeight) {
+  // T is 0.1 (1.2 + z), from 0.02 to 0.22; ten layers of 0.01 are 0.1, more than T below z = -0.2. Of a sphere's area
+  // the share below a height z is (1 + z) / 2.
+  const PatchSettings p = resolved("first_height = 0.01\ntotal_thickness = { array = \"T\" }\ncount = 10\n");
+  ASSERT_EQ(p.warnings.size(), 1u);
+  EXPECT_THAT(p.warnings[0],
+              AllOf(StartsWith("case.toml:4:1: layers of patch \"sphere\": total_thickness is less than 10 layers of "
+                               "first_height on "),
+                    HasSubstr("where first_height is 0.01 and total_thickness 0.02"),
+                    HasSubstr("first heights lower (0.002"), HasSubstr("raise total_thickness")));
+  const double percent = std::stod(p.warnings[0].substr(p.warnings[0].find(" on ") + 4));
+  EXPECT_NEAR(percent, 40, 8) << "triangles are a third of the radius wide";
+  EXPECT_TRUE(resolved("first_height = 0.001\ntotal_thickness = { array = \"T\" }\ncount = 10\n").warnings.empty());
+}
+
+TEST_F(PatchLengths, WarnWhereTheFirstLayerIsHigherThanIsotropicOnes) {
+  const auto heights = layers::isotropic_heights(surface_, mesh::Topology(surface_));
+  const double widest = *std::max_element(heights.begin(), heights.end());
+  const PatchSettings p = resolved(fmt::format("first_height = {}\nuntil = \"isotropic\"\n", 2 * widest));
+  ASSERT_EQ(p.warnings.size(), 1u);
+  EXPECT_THAT(p.warnings[0], AllOf(StartsWith("case.toml:4:1: layers of patch \"sphere\": until = \"isotropic\": the "
+                                              "first layer is higher already"),
+                                   HasSubstr(" on 100.0 % of the area"), HasSubstr("lower first_height")));
+  EXPECT_TRUE(resolved("first_height = 1e-3\nuntil = \"isotropic\"\n").warnings.empty());
+}
+
+TEST_F(PatchLengths, WarnWhereLayersEndBeforeTheyAreIsotropic) {
+  for (const char* stack : {"first_height = 1e-3\ncount = 6\n", "heights = [1e-3, 2e-3]\n"}) {
+    const PatchSettings p = resolved(std::string(stack) + "until = \"isotropic\"\n");
+    ASSERT_EQ(p.warnings.size(), 1u) << stack;
+    EXPECT_THAT(p.warnings[0], AllOf(HasSubstr("layers end before they are isotropic on 100.0 % of the area"),
+                                     HasSubstr(fmt::format("the last is {:.4g} high", p.schedule.heights.back()))));
+  }
+  EXPECT_TRUE(resolved("first_height = 1e-3\ncount = 60\nuntil = \"isotropic\"\n").warnings.empty());
+}
+
+TEST_F(PatchLengths, WarnOnceForPatchesAlike) {
+  mesh::SurfaceMesh box = shapes::make_shape("box", {}, 0.2);
+  const Case c = parse("first_height = 1\nuntil = \"isotropic\"\n");
+  std::size_t n = 0;
+  for (const PatchSettings& p : resolve_patches(c, box, mesh::Topology(box))) n += p.warnings.size();
+  EXPECT_EQ(n, 1u);
 }
 
 TEST_F(PatchLengths, UntilIsotropicHaveTheCountOfTheWidestTriangles) {
@@ -290,6 +341,12 @@ TEST_F(RunWithLengths, SaysWhatTheFileDoesNotHave) {
   };
   EXPECT_THAT(running("HH"),
               ThrowsMessage<InputError>(AllOf(HasSubstr("no point array \"HH\""), HasSubstr("nearest: \"H\""))));
+}
+
+TEST_F(RunWithLengths, WarnInTheReport) {
+  const Report r = run_case("[surface]\nfile = \"ball.vtp\"\n[layers]\nfirst_height = 1\nuntil = \"isotropic\"\n");
+  ASSERT_EQ(r.warnings.size(), 1u);
+  EXPECT_THAT(r.warnings[0], HasSubstr("the first layer is higher already"));
 }
 
 TEST_F(RunWithLengths, UntilIsotropicCountAsFull) {
