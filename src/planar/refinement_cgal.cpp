@@ -103,13 +103,12 @@ bool Refinement::has_room_beside(const Candidate& c, Face f) const {
   return true;
 }
 
-/// True if the place is far enough from all vertices and given edges that it would be connected to. Stops at the first
-/// that is too near: most places are refused, and may be in the circumcircles of very many faces.
+/// True if the place is far enough from all vertices and given edges that it would be connected to. Nearest
+/// faces first, it stops at what is too near: most places are refused, and may be in the circumcircles of very many faces.
 bool Refinement::has_room(const Candidate& c, Face located) {
   conflicts_.assign(1, {located, Face()});
-  while (!conflicts_.empty()) {
-    const auto [f, from] = conflicts_.back();
-    conflicts_.pop_back();
+  for (std::size_t next = 0; next < conflicts_.size(); ++next) {
+    const auto [f, from] = conflicts_[next];
     if (!has_room_beside(c, f)) return false;
     // Seen across edges, the faces in conflict are a tree: none comes up twice.
     for (int i = 0; i < 3; ++i) {
