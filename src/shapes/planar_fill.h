@@ -4,12 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "nearwall/planar/point2.h"
+
 namespace nearwall::shapes {
 
-struct Point2 {
-  double u = 0;
-  double v = 0;
-};
+using planar::Point2;
 
 /// A triangulation of a region of the plane. Nodes are numbered: the points of the loops, loop after loop, then
 /// `interior`.
@@ -19,9 +18,8 @@ struct PlanarFill {
 };
 
 /// Triangulates the region bounded by closed polygons (one outer, any number of holes, in either sense), whose edges
-/// are kept as they are: Delaunay refinement that adds points inside only, then smoothing. Triangles are
-/// near-equilateral of `size`, smaller where the boundary's edges are shorter, and grow from there at a bounded rate.
-/// Loops must not touch or cross. Cost: O(n log n), times the number of short edges of the boundary.
+/// are kept as they are (planar/region.h). Triangles are near-equilateral of `size`, smaller where the boundary's edges
+/// are shorter, and grow from there at a bounded rate. \throws InputError  if loops touch or cross. Cost: O(n log n).
 PlanarFill fill_region(const std::vector<std::vector<Point2>>& loops, double size);
 
 }  // namespace nearwall::shapes
