@@ -1,3 +1,5 @@
+#include "shapes/ahmed.h"
+
 #include <array>
 #include <cmath>
 
@@ -13,10 +15,10 @@ namespace {
 using geometry::kPi;
 
 // Dimensions in metres. Source: Ahmed, Ramm & Faltin, SAE 840300 (1984); stilts as in the ERCOFTAC data base, case 82.
-constexpr double kLength = 1.044;
-constexpr double kWidth = 0.389;
-constexpr double kHeight = 0.288;
-constexpr double kClearance = 0.050;
+constexpr double kLength = kAhmedLength;
+constexpr double kWidth = kAhmedWidth;
+constexpr double kHeight = kAhmedHeight;
+constexpr double kClearance = kAhmedClearance;
 constexpr double kFrontRadius = 0.100;
 constexpr double kSlantLength = 0.222;
 constexpr double kStiltRadius = 0.015;
@@ -51,16 +53,17 @@ Chart rounding_chart(int across, double limit, double sign) {
           }};
 }
 
-/// Corners of a cross-section, counterclockwise seen from the front: low right …
+/// Corners of a cross-section, counterclockwise seen from the front: low right … The left ones of a half are in y = 0.
 using Corners = std::array<VertexId, 4>;
 
-Corners add_corners(SurfaceBuilder& builder, double x, double inset) {
-  const double y = kWidth / 2 - inset, low = kLow + inset, high = kHigh - inset;
-  return {builder.add_point({x, y, low}), builder.add_point({x, -y, low}), builder.add_point({x, -y, high}),
+Corners add_corners(SurfaceBuilder& builder, double x, double inset, bool is_half) {
+  const double y = kWidth / 2 - inset, left = is_half ? 0 : -y, low = kLow + inset, high = kHigh - inset;
+  return {builder.add_point({x, y, low}), builder.add_point({x, left, low}), builder.add_point({x, left, high}),
           builder.add_point({x, y, high})};
 }
 
-void add_front(SurfaceBuilder& b, const Corners& front, const Corners& rim, double size) {
+/// \returns the rows from the flat front's corners to those of the rim
+std::array<Row, 4> add_front(SurfaceBuilder& b, const Corners& front, const Corners& rim, double size) {
   const auto mitre = [](double t) {
     const double angle = kPi / 2 * t, inset = rounding_inset(angle);
     return Vec3(rounding_x(angle), inset, inset);
@@ -69,7 +72,8 @@ void add_front(SurfaceBuilder& b, const Corners& front, const Corners& rim, doub
   std::array<Row, 4> mitres;
   for (std::size_t c = 0; c < 4; ++c) {
     const Vec3 corner = b.point(rim[c]);
-    const double y = corner.y() > 0 ? -1 : 1, z = corner.z() > kLow ? -1 : 1;
+    // In the plane of symmetry there is no side to be rounded: the mitre is an arc in that plane.
+    const double y = corner.y() == 0 ? 0 : (corner.y() > 0 ? -1 : 1), z = corner.z() > kLow ? -1 : 1;
     mitres[c].push_back(front[c]);
     for (std::size_t i = 1; i + 1 < t.size(); ++i) {
       const Vec3 m = mitre(t[i]);
@@ -82,14 +86,21 @@ void add_front(SurfaceBuilder& b, const Corners& front, const Corners& rim, doub
                                        rounding_chart(1, kHigh, 1), rounding_chart(2, kWidth / 2, 1)};
   for (std::size_t c = 0; c < 4; ++c) {
     const std::size_t d = (c + 1) % 4;
+    if (b.point(rim[c]).y() == 0 && b.point(rim[d]).y() == 0) continue;  // open there
     b.fill(b.patch("front"),
            {loop_of({b.edge(front[d], front[c], size), mitres[c], b.edge(rim[c], rim[d], size), reversed(mitres[d])})},
            charts[c], size);
   }
+  return mitres;
 }
 
-/// A stilt under the body: a closed cylinder but for its top. \returns the row round its top, in the underbody
-Row add_stilt(SurfaceBuilder& b, double x, double y, double size) {
+/// The rows round both ends of a stilt, counterclockwise seen from above.
+struct Stilt {
+  Row foot, top;
+};
+
+/// A stilt under the body: a cylinder, closed below if it has a foot.
+Stilt add_stilt(SurfaceBuilder& b, double x, double y, double size, bool has_foot) {
   const PatchId patch = b.patch("stilts");
   const double h = std::min(size, 2 * kPi * kStiltRadius / kMinRound);
   int k = 0;
@@ -102,42 +113,64 @@ Row add_stilt(SurfaceBuilder& b, double x, double y, double size) {
     previous = next;
   };
   const int n_disc = n_segments(kStiltRadius, row_distance(h)), n_side = n_segments(kClearance, row_distance(h));
-  for (int i = 1; i <= n_disc; ++i) continue_to(circle(0, kStiltRadius * i / n_disc));
+  if (has_foot) {
+    for (int i = 1; i <= n_disc; ++i) continue_to(circle(0, kStiltRadius * i / n_disc));
+  } else {
+    previous = circle(0, kStiltRadius);
+  }
+  const Row foot = previous;
   for (int i = 1; i <= n_side; ++i) continue_to(circle(i == n_side ? kLow : kLow * i / n_side, kStiltRadius));
-  return previous;
+  return {foot, previous};
 }
 
 mesh::SurfaceMesh make_ahmed(const Values& v, double size) {
-  const double h = size == 0 ? kDefaultSize : std::min(size, kFrontRadius);
-  const double slant = geometry::to_radians(v["slant-angle"]);
-  SurfaceBuilder b;
-  const Corners front = add_corners(b, 0, kFrontRadius), rim = add_corners(b, kFrontRadius, 0);
-  const Corners back = {b.add_point({kLength, kWidth / 2, kLow}), b.add_point({kLength, -kWidth / 2, kLow}),
-                        b.add_point({kLength, -kWidth / 2, kHigh - kSlantLength * std::sin(slant)}),
-                        b.add_point({kLength, kWidth / 2, kHigh - kSlantLength * std::sin(slant)})};
-  const double roof_end = kLength - kSlantLength * std::cos(slant);
-  const VertexId left = b.add_point({roof_end, -kWidth / 2, kHigh}), right = b.add_point({roof_end, kWidth / 2, kHigh});
+  SurfaceBuilder builder;
+  add_ahmed_body(builder, {.slant = geometry::to_radians(v["slant-angle"]), .has_stilts = v.is_on("stilts")},
+                 ahmed_size(size));
+  return builder.finish();
+}
 
-  add_front(b, front, rim, h);
+}  // namespace
+
+double ahmed_size(double size) { return size == 0 ? kDefaultSize : std::min(size, kFrontRadius); }
+
+AhmedOpenings add_ahmed_body(SurfaceBuilder& b, const AhmedBody& body, double h) {
+  const double left_side = body.is_half ? 0 : -kWidth / 2, right_side = kWidth / 2;
+  const Corners front = add_corners(b, 0, kFrontRadius, body.is_half),
+                rim = add_corners(b, kFrontRadius, 0, body.is_half);
+  const double slant_end = kHigh - kSlantLength * std::sin(body.slant);
+  const Corners back = {b.add_point({kLength, right_side, kLow}), b.add_point({kLength, left_side, kLow}),
+                        b.add_point({kLength, left_side, slant_end}), b.add_point({kLength, right_side, slant_end})};
+  const double roof_end = kLength - kSlantLength * std::cos(body.slant);
+  const VertexId left = b.add_point({roof_end, left_side, kHigh}), right = b.add_point({roof_end, right_side, kHigh});
+
+  const std::array<Row, 4> mitres = add_front(b, front, rim, h);
   add_flat_face(b, "roof", {rim[3], rim[2], left, right}, h);
   add_flat_face(b, "slant", {right, left, back[2], back[3]}, h);
   add_flat_face(b, "base", {back[0], back[3], back[2], back[1]}, h);
   add_flat_face(b, "side-right", {rim[0], rim[3], right, back[3], back[0]}, h);
-  add_flat_face(b, "side-left", {rim[1], back[1], back[2], left, rim[2]}, h);
+  AhmedOpenings openings;
+  if (body.is_half) {
+    openings.cut = loop_of({b.edge(rim[1], back[1], h), b.edge(back[1], back[2], h), b.edge(back[2], left, h),
+                            b.edge(left, rim[2], h), reversed(mitres[2]), b.edge(front[2], front[1], h), mitres[1]});
+  } else {
+    add_flat_face(b, "side-left", {rim[1], back[1], back[2], left, rim[2]}, h);
+  }
 
   std::vector<Row> underbody = {loop_of({b.edge(rim[0], back[0], h), b.edge(back[0], back[1], h),
                                          b.edge(back[1], rim[1], h), b.edge(rim[1], rim[0], h)})};
   const PatchId patch = b.patch("underbody");
-  if (v.is_on("stilts")) {
-    for (const double x : kStiltX) {
-      for (const double y : {-kStiltY, kStiltY}) underbody.push_back(add_stilt(b, x, y, h));
+  for (const double x : kStiltX) {
+    for (const double y : {-kStiltY, kStiltY}) {
+      if (!body.has_stilts || (body.is_half && y < 0)) continue;
+      const Stilt stilt = add_stilt(b, x, y, h, body.has_feet);
+      underbody.push_back(stilt.top);
+      if (!body.has_feet) openings.stilts.push_back(stilt.foot);
     }
   }
   b.fill(patch, underbody, plane_chart({0, 0, kLow}, {0, 0, -1}), h);
-  return b.finish();
+  return openings;
 }
-
-}  // namespace
 
 std::vector<Definition> vehicle_shapes() {
   return {

@@ -45,9 +45,11 @@ std::vector<Definition> edge_shapes();
 std::vector<Definition> fin_shapes();
 std::vector<Definition> fading_shapes();
 std::vector<Definition> duct_shapes();
+Definition vessel();
 std::vector<Definition> several_bodies();
 std::vector<Definition> wing_shapes();
 std::vector<Definition> aircraft_shapes();
 std::vector<Definition> vehicle_shapes();
+std::vector<Definition> tunnel_shapes();
 
 }  // namespace nearwall::shapes

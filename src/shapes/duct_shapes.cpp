@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cmath>
 
 #include "nearwall/geometry/angles.h"
 #include "shapes/definition.h"
+#include "shapes/heading.h"
 #include "shapes/revolution.h"
 #include "shapes/sampling.h"
 
@@ -17,10 +17,10 @@ constexpr double kDefaultSize = 0.15;
 /// A cross-section of a bent pipe: its centre and the direction of the pipe there. The pipe lies in the (x, z) plane.
 struct Station {
   Vec3 centre;
-  double heading = 0;  ///< angle of the axis from x towards z [rad]
+  Vec3 along{1, 0, 0};
 
   /// Unit vector across the pipe, towards the centre of the bend.
-  Vec3 inward() const { return {-std::sin(heading), 0, std::cos(heading)}; }
+  Vec3 inward() const { return across(along); }
 };
 
 /// Stations of a straight inlet, a bend towards +z, and a straight outlet, at most `step` apart at the outer side.
@@ -28,16 +28,15 @@ std::vector<Station> bend_stations(const Values& v, double step) {
   const double inlet = v["inlet-length"], outlet = v["outlet-length"], bend_radius = v["bend-radius"];
   const double turn = geometry::to_radians(v["angle"]);
   std::vector<Station> stations;
-  for (const double x : uniform(-inlet, 0, n_segments(inlet, step))) stations.push_back({{x, 0, 0}, 0});
+  for (const double x : uniform(-inlet, 0, n_segments(inlet, step))) stations.push_back({{x, 0, 0}, {1, 0, 0}});
   const int n = n_segments(turn * bend_radius, step, 3);
   for (int i = 1; i <= n; ++i) {
-    const double heading = turn * i / n;
-    stations.push_back({{bend_radius * std::sin(heading), 0, bend_radius * (1 - std::cos(heading))}, heading});
+    const Vec3 along = heading_vector(turn * i / n);
+    stations.push_back({{bend_radius * along.z(), 0, bend_radius * (1 - along.x())}, along});
   }
   const Station end = stations.back();
-  const Vec3 along(std::cos(turn), 0, std::sin(turn));
   const std::vector<double> way = uniform(0, outlet, n_segments(outlet, step));
-  for (std::size_t i = 1; i < way.size(); ++i) stations.push_back({end.centre + along * way[i], turn});
+  for (std::size_t i = 1; i < way.size(); ++i) stations.push_back({end.centre + end.along * way[i], end.along});
   return stations;
 }
 
@@ -79,7 +78,8 @@ std::vector<Definition> duct_shapes() {
         {length("radius", 0.5, "radius of the pipe"), length("bend-radius", 1.5, "radius of the bend's centre line"),
          angle("angle", 90, 5, 180, "turn of the bend"), length("inlet-length", 1, "straight length before the bend"),
          length("outlet-length", 2, "straight length after the bend")}},
-       make_bend}};
+       make_bend},
+      vessel()};
 }
 
 }  // namespace nearwall::shapes

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nearwall/core/expect.h"
 #include "nearwall/geometry/angles.h"
 #include "shapes/sampling.h"
 
@@ -16,6 +17,13 @@ constexpr int kClosedCurveSamples = 2000;
 
 /// A sine below this is that of a whole number of half turns.
 constexpr double kZeroSine = 1e-9;
+
+/// Unit vector in the (y, z) plane at a whole number of quarter turns, given in half turns.
+Vec3 coordinate_direction(double half_turns) {
+  const int quarters = static_cast<int>(2 * half_turns);
+  expect(quarters >= -1 && quarters <= 1, "a sector begins and ends at -z, y or z");
+  return quarters == 0 ? Vec3(0, 1, 0) : Vec3(0, 0, quarters);
+}
 
 }  // namespace
 
@@ -68,6 +76,55 @@ ProfilePiece elliptic_piece(std::string patch, double x, double a, double b, dou
     piece.points.push_back({at(t).x(), at(t).y()});
   }
   return piece;
+}
+
+Row add_arc(SurfaceBuilder& builder, const ProfilePoint& p, const Sector& sector, double size, bool is_turned) {
+  const Vec3 centre(p.x, 0, 0);
+  if (p.r == 0) return {builder.add_point(centre)};
+  const int minimum = static_cast<int>(std::ceil(0.5 * kMinCircle * sector.span));
+  const int n = n_segments(kPi * sector.span * p.r, size, minimum);
+  Row row{builder.add_point(centre + coordinate_direction(sector.begin) * p.r)};
+  for (int i = is_turned ? 0 : 1; i < n; ++i) {
+    const double angle = kPi * ((i + (is_turned ? 0.5 : 0.0)) / n * sector.span + sector.begin);
+    row.push_back(builder.add_point({p.x, p.r * std::cos(angle), p.r * std::sin(angle)}));
+  }
+  row.push_back(builder.add_point(centre + coordinate_direction(sector.begin + sector.span) * p.r));
+  return row;
+}
+
+void revolve_sector(SurfaceBuilder& builder, const std::vector<ProfilePiece>& profile, const Sector& sector,
+                    const std::vector<std::string>& caps, double size) {
+  std::size_t n_rows = 1, k = 0;
+  for (const ProfilePiece& piece : profile) n_rows += piece.points.size() - 1;
+  Row begin, end, previous;
+  const auto continue_to = [&](const ProfilePoint& p) {
+    // Every other row is turned, but not the ones round the tips: their few edges would have to be halved.
+    const bool is_turned = k % 2 == 0 && k + 2 < n_rows;
+    const Row next = add_arc(builder, p, sector, size, is_turned);
+    ++k;
+    begin.push_back(next.front());
+    end.push_back(next.back());
+    return next;
+  };
+  for (const ProfilePiece& piece : profile) {
+    const PatchId patch = builder.patch(piece.patch);
+    if (previous.empty()) previous = continue_to(piece.points.front());
+    for (std::size_t j = 1; j < piece.points.size(); ++j) {
+      const Row next = continue_to(piece.points[j]);
+      builder.stitch(patch, previous, next);
+      previous = next;
+    }
+  }
+  const auto fill = [&](std::size_t cap, const Row& loop, const Vec3& normal) {
+    builder.fill(builder.patch(caps[cap]), {loop}, plane_chart({0, 0, 0}, normal), size);
+  };
+  if (caps.size() == 1) {
+    fill(0, loop_of({begin, reversed(end)}), {0, -1, 0});
+  } else {
+    const Row axis = builder.edge(begin.front(), begin.back(), size);
+    fill(0, loop_of({begin, reversed(axis)}), {0, 0, -1});
+    fill(1, loop_of({axis, reversed(end)}), {0, -1, 0});
+  }
 }
 
 void revolve(SurfaceBuilder& builder, const std::vector<ProfilePiece>& profile, double size, bool is_cyclic) {

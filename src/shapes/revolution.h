@@ -45,6 +45,23 @@ ProfilePiece straight_piece(std::string patch, const ProfilePoint& from, const P
 /// [rad, 0 along the axis, pi/2 across], cut into equal lengths.
 ProfilePiece elliptic_piece(std::string patch, double x, double a, double b, double begin, double end, double size);
 
+/// A part of a turn about the x axis, from y towards z, in half turns. It begins and ends in coordinate planes.
+struct Sector {
+  double begin = 0;
+  double span = 0;
+};
+inline constexpr Sector kRightHalf{-0.5, 1};  ///< y >= 0, from -z to z
+inline constexpr Sector kQuarter{0, 0.5};     ///< y, z >= 0
+
+/// A row round a sector of a circle about the x axis; its ends are in the sector's planes exactly. If `is_turned` the
+/// points between are turned by half an edge.
+Row add_arc(SurfaceBuilder& builder, const ProfilePoint& p, const Sector& sector, double size, bool is_turned);
+
+/// `revolve` over kRightHalf or kQuarter only, closed by flat faces: a half has one in y = 0, a quarter one in z = 0
+/// and one in y = 0. The profile begins and ends on the axis. \param caps  their patches in this order
+void revolve_sector(SurfaceBuilder& builder, const std::vector<ProfilePiece>& profile, const Sector& sector,
+                    const std::vector<std::string>& caps, double size);
+
 /// Turns a profile about the x axis. It runs so that the outside is on its left in the (x, r) plane: for a closed body
 /// from its low end on the axis to its high end on it. If `is_cyclic` the last piece ends where the first begins.
 void revolve(SurfaceBuilder& builder, const std::vector<ProfilePiece>& profile, double size, bool is_cyclic = false);

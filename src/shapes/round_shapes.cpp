@@ -84,6 +84,16 @@ mesh::SurfaceMesh make_cylinder(const Values& v, double size) {
   return builder.finish();
 }
 
+mesh::SurfaceMesh make_quarter_cylinder(const Values& v, double size) {
+  const double r = v["radius"], x = v["length"] / 2, h = round_size(size, r);
+  SurfaceBuilder builder;
+  revolve_sector(builder,
+                 {straight_piece("front", {-x, 0}, {-x, r}, h), straight_piece("side", {-x, r}, {x, r}, h),
+                  straight_piece("base", {x, r}, {x, 0}, h)},
+                 kQuarter, {"symmetry-z", "symmetry-y"}, h);
+  return builder.finish();
+}
+
 mesh::SurfaceMesh make_cone(const Values& v, double size) {
   const double x = v["length"], r = x * std::tan(geometry::to_radians(v["half-angle"])), h = round_size(size, r);
   SurfaceBuilder builder;
@@ -125,6 +135,11 @@ std::vector<Definition> round_shapes() {
         "cylinder along x; patches front, side, base",
         {length("radius", 0.5, "radius"), length("length", 2, "length")}},
        make_cylinder},
+      {{"quarter-cylinder",
+        "the quarter y, z >= 0 of a cylinder along x, closed; patches front, side, base, symmetry-y (in y = 0), "
+        "symmetry-z (in z = 0)",
+        {length("radius", 0.5, "radius"), length("length", 2, "length")}},
+       make_quarter_cylinder},
       {{"cone",
         "cone along x with a sharp apex at the origin; patches cone, base",
         {length("length", 1, "distance of the apex from the base"),

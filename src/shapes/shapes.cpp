@@ -17,7 +17,7 @@ const std::vector<Definition>& definitions() {
     std::vector<Definition> result;
     for (const auto& group :
          {round_shapes(), block_shapes(), corner_shapes(), edge_shapes(), fin_shapes(), fading_shapes(), duct_shapes(),
-          several_bodies(), wing_shapes(), aircraft_shapes(), vehicle_shapes()}) {
+          several_bodies(), wing_shapes(), aircraft_shapes(), vehicle_shapes(), tunnel_shapes()}) {
       result.insert(result.end(), group.begin(), group.end());
     }
     return result;

@@ -148,6 +148,10 @@ void SurfaceBuilder::mirror(int axis) {
   }
 }
 
+void SurfaceBuilder::turn_over() {
+  for (auto& [a, b, c] : mesh_.faces) std::swap(b, c);
+}
+
 void SurfaceBuilder::stretch(const Vec3& factors) {
   for (Vec3& p : mesh_.points) p = {p.x() * factors.x(), p.y() * factors.y(), p.z() * factors.z()};
 }

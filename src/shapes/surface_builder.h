@@ -60,6 +60,9 @@ class SurfaceBuilder {
   /// Adds the mirror image in the plane through the origin normal to `axis`. Points in the plane are shared.
   void mirror(int axis);
 
+  /// Turns the normals of all triangles so far.
+  void turn_over();
+
   /// Multiplies the coordinates of all points.
   void stretch(const Vec3& factors);
 

@@ -27,31 +27,31 @@ constexpr std::string_view kOnTheCylinder =
     "its "
     "tail: change wing-position, wing-height, chord, fuselage-length or fuselage-radius";
 
-/// A row round the right half of the fuselage, from its keel to its top. Odd rows are turned by half an edge.
-Row add_half_circle(SurfaceBuilder& builder, double x, double r, double size, bool is_turned) {
-  if (r == 0) return {builder.add_point({x, 0, 0})};
-  const int n = n_segments(kPi * r, size, kMinCircle / 2);
-  Row row{builder.add_point({x, 0, -r})};
-  for (int i = is_turned ? 0 : 1; i < n; ++i) {
-    const double angle = kPi * ((i + (is_turned ? 0.5 : 0.0)) / n - 0.5);
-    row.push_back(builder.add_point({x, r * std::cos(angle), r * std::sin(angle)}));
+/// The fuselage's outline in the plane of symmetry, in the direction of x.
+struct Outline {
+  Row keel, top;
+
+  void add(const Row& half_circle) {
+    keel.push_back(half_circle.front());
+    top.push_back(half_circle.back());
   }
-  row.push_back(builder.add_point({x, 0, r}));
-  return row;
-}
+};
 
 /// Stitches half circles along a profile in the direction of x; its first or last row is the one given.
-void add_half_end(SurfaceBuilder& builder, PatchId patch, const std::vector<ProfilePoint>& profile, const Row& joint,
-                  bool joint_is_last, double size) {
+/// \returns the outline of this end
+Outline add_half_end(SurfaceBuilder& builder, PatchId patch, const std::vector<ProfilePoint>& profile, const Row& joint,
+                     bool joint_is_last, double size) {
   const std::size_t n = profile.size();
+  Outline outline;
   Row previous;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t from_joint = joint_is_last ? n - 1 - i : i;
-    const Row next =
-        from_joint == 0 ? joint : add_half_circle(builder, profile[i].x, profile[i].r, size, from_joint % 2 == 1);
+    const Row next = from_joint == 0 ? joint : add_arc(builder, profile[i], kRightHalf, size, from_joint % 2 == 1);
     if (i > 0) builder.stitch(patch, previous, next);
+    outline.add(next);
     previous = next;
   }
+  return outline;
 }
 
 /// Fraction of the way from root to tip at which a line leaves the cylinder of radius r about the x axis.
@@ -97,19 +97,27 @@ mesh::SurfaceMesh make_wing_body(const Values& v, double size) {
     const Vec3& p = builder.point(vertex);
     require(p.x() > begin + h && p.x() < end - h && std::abs(p.z()) < (1 - kClearOfSymmetry) * r, kOnTheCylinder);
   }
-  const Row front = add_half_circle(builder, begin, r, h, false), rear = add_half_circle(builder, end, r, h, false);
-  add_half_end(builder, fuselage, elliptic_piece("", begin, begin, r, kPi, kPi / 2, h).points, front, true, h);
-  add_half_end(builder, fuselage, elliptic_piece("", end, kTailLength * r, r, kPi / 2, 0, h).points, rear, false, h);
+  const Row front = add_arc(builder, {begin, r}, kRightHalf, h, false),
+            rear = add_arc(builder, {end, r}, kRightHalf, h, false);
+  const Outline nose =
+      add_half_end(builder, fuselage, elliptic_piece("", begin, begin, r, kPi, kPi / 2, h).points, front, true, h);
+  const Outline tail = add_half_end(builder, fuselage,
+                                    elliptic_piece("", end, kTailLength * r, r, kPi / 2, 0, h).points, rear, false, h);
 
   // The cylinder between, unrolled, with a hole where the wing is.
   const Chart unrolled{[r](const Vec3& p) {
                          return Point2{p.x(), r * std::atan2(p.z(), p.y())};
                        },
                        [r](const Point2& q) { return Vec3(q.u, r * std::cos(q.v / r), r * std::sin(q.v / r)); }};
-  const Row outline = loop_of({front, builder.edge(front.back(), rear.back(), h), reversed(rear),
-                               builder.edge(rear.front(), front.front(), h)});
-  builder.fill(fuselage, {outline, root.loop()}, unrolled, h);
-  builder.mirror(1);
+  const Row top = builder.edge(front.back(), rear.back(), h), keel = builder.edge(front.front(), rear.front(), h);
+  builder.fill(fuselage, {loop_of({front, top, reversed(rear), reversed(keel)}), root.loop()}, unrolled, h);
+  if (v.is_on("half")) {
+    builder.fill(builder.patch("symmetry"),
+                 {loop_of({nose.keel, keel, tail.keel, reversed(tail.top), reversed(top), reversed(nose.top)})},
+                 plane_chart({0, 0, 0}, {0, -1, 0}), h);
+  } else {
+    builder.mirror(1);
+  }
   return builder.finish();
 }
 
@@ -118,7 +126,7 @@ mesh::SurfaceMesh make_wing_body(const Values& v, double size) {
 std::vector<Definition> aircraft_shapes() {
   return {{{"wing-body",
             "wing on a fuselage of revolution, joined along their line of intersection; patches fuselage, wing-upper, "
-            "wing-lower, wing-tip, wing-trailing-edge",
+            "wing-lower, wing-tip, wing-trailing-edge, symmetry",
             {length("fuselage-length", 8, "whole length of the fuselage, along x"),
              length("fuselage-radius", 0.5, "radius of the fuselage's cylinder"),
              integer("digits", 12, 1, 9999, "the wing section's four NACA digits, 12 for NACA 0012"),
@@ -128,7 +136,8 @@ std::vector<Definition> aircraft_shapes() {
              length("wing-position", 2.6, "leading edge in the plane of symmetry, behind the nose"),
              number("wing-height", -0.3, -0.6, 0.6, "of the wing over the fuselage's axis, over the radius"),
              option("blunt", false, "1: the section's own blunt trailing edge; 0: a sharp one"),
-             option("rounded-tip", true, "1: tips are half bodies of revolution; 0: flat tips")}},
+             option("rounded-tip", true, "1: tips are half bodies of revolution; 0: flat tips"),
+             option("half", false, "1: the right half only, closed by a flat patch symmetry in y = 0")}},
            make_wing_body}};
 }
 
