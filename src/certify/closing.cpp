@@ -10,12 +10,6 @@ namespace nearwall::certify {
 
 namespace {
 
-/// An edge of the front on a plane, in the direction in which the rest of the plane lies to its left.
-struct TraceEdge {
-  std::array<std::uint32_t, 2> points{};
-  FrontFaceId face;  ///< invalid for the edge between two planes
-};
-
 /// Edges of the front on each plane.
 class Traces {
  public:
@@ -82,7 +76,7 @@ struct FlatEdges {
 class Closer {
  public:
   Closer(const mesh::Front& front, const mesh::SidePlanes& planes, FrontSurface& surface)
-      : planes_(planes), surface_(surface), traces_(Traces(front, planes, surface).of_plane()) {
+      : planes_(planes), surface_(surface), traces_(plane_traces(front, planes, surface)) {
     for (const auto& trace : traces_) {
       for (const TraceEdge& edge : trace) {
         for (const std::uint32_t p : edge.points) faces_at_[p].push_back(edge.face);
@@ -161,6 +155,11 @@ class Closer {
 };
 
 }  // namespace
+
+std::vector<std::vector<TraceEdge>> plane_traces(const mesh::Front& front, const mesh::SidePlanes& planes,
+                                                 const FrontSurface& surface) {
+  return std::move(Traces(front, planes, surface).of_plane());
+}
 
 std::vector<FrontFaceId> close_front(const mesh::Front& front, const mesh::SidePlanes& planes, FrontSurface& surface) {
   if (planes.empty()) return {};

@@ -65,7 +65,7 @@ DataArray joined(const DataArray* on_lines, const DataArray* on_triangles, const
           }
         };
         append(on_lines, data.lines.size());
-        append(on_triangles, data.triangles.size());
+        append(on_triangles, data.triangles.size() + data.quads.size());
         out.values = std::move(values);
       },
       model.values);
@@ -89,17 +89,20 @@ std::vector<DataArray> cell_data(const PolyDataFile& data) {
   return out;
 }
 
-/// `connectivity` and `offsets` of cells of N points each.
-template <std::size_t N>
-std::vector<PackedArray> packed_cells(const std::vector<std::array<std::uint32_t, N>>& cells, std::size_t n_points) {
+/// `connectivity` and `offsets` of lists of cells, one after the other.
+template <class... Cells>
+std::vector<PackedArray> packed_cells(std::size_t n_points, const Cells&... lists) {
   std::vector<std::int64_t> points, offsets;
-  for (const auto& cell : cells) {
-    for (const std::uint32_t point : cell) {
-      expect(point < n_points, "cells use points that exist");
-      points.push_back(point);
+  const auto add = [&](const auto& cells) {
+    for (const auto& cell : cells) {
+      for (const std::uint32_t point : cell) {
+        expect(point < n_points, "cells use points that exist");
+        points.push_back(point);
+      }
+      offsets.push_back(static_cast<std::int64_t>(points.size()));
     }
-    offsets.push_back(static_cast<std::int64_t>(points.size()));
-  }
+  };
+  (add(lists), ...);
   std::vector<PackedArray> out;
   out.emplace_back("connectivity", "Int64", 1, "");
   out.back().append(std::span<const std::int64_t>(points));
@@ -168,14 +171,14 @@ PolyDataFile polydata_of(const mesh::SurfaceMesh& surface, const std::vector<Fac
 std::string format_polydata(const PolyDataFile& data) {
   for (const DataArray& array : data.point_data) check_size(array, data.points.size());
   for (const DataArray& array : data.line_data) check_size(array, data.lines.size());
-  for (const DataArray& array : data.triangle_data) check_size(array, data.triangles.size());
+  for (const DataArray& array : data.triangle_data) check_size(array, data.triangles.size() + data.quads.size());
 
   std::vector<Section> sections;
   sections.push_back(section("PointData", data.point_data));
   sections.push_back(section("CellData", cell_data(data)));
   sections.push_back(section("Points", {points_of(data)}));
-  sections.push_back({"Lines", packed_cells(data.lines, data.points.size())});
-  sections.push_back({"Polys", packed_cells(data.triangles, data.points.size())});
+  sections.push_back({"Lines", packed_cells(data.points.size(), data.lines)});
+  sections.push_back({"Polys", packed_cells(data.points.size(), data.triangles, data.quads)});
 
   VtkXmlOutput out("PolyData");
   out.open("FieldData");
@@ -184,7 +187,7 @@ std::string format_polydata(const PolyDataFile& data) {
   out.open(
       fmt::format("Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
                   "NumberOfPolys=\"{}\"",
-                  data.points.size(), data.lines.size(), data.triangles.size()));
+                  data.points.size(), data.lines.size(), data.triangles.size() + data.quads.size()));
   for (Section& s : sections) {
     PackedArray::pack(s.arrays, true);
     out.open(s.name);

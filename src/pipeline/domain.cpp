@@ -170,7 +170,8 @@ surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
     const std::size_t n_patches = wall.surface.patch_names.size();
     volume::add_far_field(far_field(wall, settings), wall);
     for (std::size_t p = n_patches; p < wall.surface.patch_names.size(); ++p) {
-      add_rule(settings, wall.surface.patch_names[PatchId(p)], PatchType::FarField);
+      const bool is_plane = std::find(wall.patch.begin(), wall.patch.end(), PatchId(p)) != wall.patch.end();
+      add_rule(settings, wall.surface.patch_names[PatchId(p)], is_plane ? PatchType::Symmetry : PatchType::FarField);
     }
   }
   if (!wall.planes.empty()) require_closed(wall);

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kReports[] = {"report.json", "report.html"};
-constexpr const char* kResultEndings[] = {".vtu", "-layers.vtu", "-surface.vtp", "-front.vtp", "-faults.vtp"};
+constexpr const char* kResultEndings[] = {".vtu",        "-layers.vtu",      "-surface.vtp", "-front.vtp",
+                                          "-faults.vtp", "-fill-faults.vtp", "-boundary.vtp"};
 
 /// Turns the errors of the file system into ours.
 template <class Body>

@@ -19,31 +19,6 @@ namespace {
 /// More than these, and their edges leave nothing of the colours of a picture of the whole surface.
 constexpr std::size_t kMostTrianglesWithEdges = 8000;
 
-/// The layers with columns numbered as the triangles of the input file, which differ from those of the wall where a
-/// repair dropped some.
-class InputNumbered final : public mesh::MeshSource {
- public:
-  InputNumbered(const mesh::MeshSource& source, const IdVector<FaceId, FaceId>& input_face)
-      : source_(source), input_face_(input_face) {}
-
-  NodeIndex n_points() const override { return source_.n_points(); }
-  CellIndex n_cells() const override { return source_.n_cells(); }
-  std::array<CellIndex, mesh::kNCellTypes> n_cells_by_type() const override { return source_.n_cells_by_type(); }
-  std::size_t n_point_batches() const override { return source_.n_point_batches(); }
-  void read_points(std::size_t batch, mesh::PointBatch& out) const override { source_.read_points(batch, out); }
-  std::size_t n_cell_batches() const override { return source_.n_cell_batches(); }
-  void read_cells(std::size_t batch, mesh::CellBatch& out) const override {
-    source_.read_cells(batch, out);
-    for (std::int64_t& column : out.column) {
-      if (column >= 0) column = input_face_[FaceId(static_cast<std::size_t>(column))].index();
-    }
-  }
-
- private:
-  const mesh::MeshSource& source_;
-  const IdVector<FaceId, FaceId>& input_face_;
-};
-
 io::CellArray scaled_jacobians() {
   return {"ScaledJacobian", [](const mesh::CellBatch& batch, std::span<double> values) {
             for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -69,13 +44,18 @@ bool make_picture(const io::PictureRequest& request, ProgressSink& progress) {
 
 }  // namespace
 
-void write_meshes(const Result& result, const std::string& name, OutputDirectory& output, ProgressSink& progress) {
+void LayersOfInput::read_cells(std::size_t batch, mesh::CellBatch& out) const {
+  source_.read_cells(batch, out);
+  for (std::int64_t& column : out.column) {
+    if (column >= 0) column = input_face_[FaceId(static_cast<std::size_t>(column))].index();
+  }
+}
+
+void write_meshes(const Result& result, const mesh::MeshSource& mesh, const std::string& mesh_file,
+                  const std::string& name, OutputDirectory& output, ProgressSink& progress) {
   progress.begin_stage("writing");
-  const mesh::SurfaceMesh& wall = result.wall.surface;
-  const mesh::LayerSource source(result.layers, wall.face_patch, wall.points.raw());
-  const InputNumbered numbered(source, result.prepared.input_face);
   const io::CellArray extra[] = {scaled_jacobians()};
-  io::write_vtu(output.aside(name + ".vtu"), numbered, extra, {wall.patch_names.raw()}, &progress);
+  io::write_vtu(output.aside(mesh_file), mesh, extra, {result.wall.surface.patch_names.raw()}, &progress);
   io::write_polydata(output.aside(name + "-surface.vtp"),
                      surface_file(result.wall, result.growth, result.coverage, result.prepared.input_face));
   io::write_polydata(output.aside(name + "-front.vtp"), front_file(result.wall, result.growth));

@@ -8,7 +8,9 @@
 
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/measures.h"
 #include "nearwall/io/pending_file.h"
+#include "nearwall/io/polydata_writer.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/pipeline/faults_file.h"
 #include "pipeline/output_directory.h"
@@ -18,6 +20,7 @@
 #include "pipeline/stage_clock.h"
 #include "pipeline/surface_file.h"
 #include "pipeline/version.h"
+#include "pipeline/volume_stage.h"
 
 namespace nearwall {
 
@@ -109,10 +112,13 @@ layers::Wall wall_of(const Prepared& prepared) {
           prepared.is_wetted, prepared.fluid_is_inside, &prepared.wall.planes};
 }
 
+certify::CertifiedWall certified_wall(const layers::Wall& wall) {
+  return {wall.surface, layers::wetted_components(wall), wall.fluid_is_inside, wall.planes};
+}
+
 certify::Certificate certify_or_fail(const mesh::LayerMesh& layer_mesh, const layers::Wall& wall,
                                      ProgressSink& progress) {
-  const certify::CertifiedWall certified{wall.surface, layers::wetted_components(wall), wall.fluid_is_inside,
-                                         wall.planes};
+  const certify::CertifiedWall certified = certified_wall(wall);
   const certify::Certificate c = certify::certify_layers(layer_mesh, certified, progress);
   if (!c.is_valid() || !(c.closure() <= kLargestClosure)) {
     throw InternalError(
@@ -170,6 +176,42 @@ Forecast forecast_of(const Case& settings, const Prepared& prepared, const std::
                   any_isotropic ? layers::asked_levels(wall, options) : IdVector<VertexId, Level>());
 }
 
+VolumeReport describe_volume(const Volume& v, std::size_t n_patches) {
+  VolumeReport report{v.fill.tetrahedra.size(), v.certificate, v.quality, std::vector<BoundaryPatch>(n_patches)};
+  for (std::size_t f = 0; f < v.boundary.faces.size(); ++f) {
+    BoundaryPatch& patch = report.boundary[v.boundary.patch[f].index()];
+    ++(v.boundary.size_of(f) == 3 ? patch.triangles : patch.quads);
+    const auto corner = [&](int k) { return v.boundary.points[v.boundary.faces[f][static_cast<std::size_t>(k)]]; };
+    for (int k = 1; k + 1 < v.boundary.size_of(f); ++k) {
+      patch.area += geometry::triangle_area(corner(0), corner(k), corner(k + 1));
+    }
+  }
+  return report;
+}
+
+/// The meshes: of layers and volume, or of the layers alone where no volume is asked for or it cannot be had.
+void write_results(const Result& result, OutputDirectory& output, StageClock& clock, Report& report) {
+  const LayersOfInput source(result.prepared, result.layers);
+  const auto write = [&](const mesh::MeshSource& mesh, const std::string& file) {
+    report.cells = mesh.n_cells_by_type();
+    report.points = mesh.n_points();
+    write_meshes(result, mesh, file, report.name, output, clock);
+  };
+  if (result.prepared.settings.volume.fill == Fill::None) return write(source, report.name + ".vtu");
+  const auto made = fill_volume(result.prepared, certified_wall(result.wall), result.layers, source,
+                                report.certificate.cells_volume, clock);
+  if (const auto* failure = std::get_if<VolumeFailure>(&made)) {
+    report.volume_failure = failure->reason;
+    io::write_polydata(output.aside(report.name + "-fill-faults.vtp"), fill_faults_file(*failure));
+    return write(source, report.name + "-layers.vtu");
+  }
+  const Volume& filled = std::get<Volume>(made);
+  report.volume = describe_volume(filled, result.wall.surface.patch_names.size());
+  const volume::HybridMesh hybrid(source, filled.rest, filled.fill);
+  write(hybrid, report.name + ".vtu");
+  io::write_polydata(output.aside(report.name + "-boundary.vtp"), boundary_file(filled.boundary, result.prepared));
+}
+
 /// Layers, certificate, figures and files of a wall that was admitted.
 void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector<PatchSettings>& patches,
                OutputDirectory& output, StageClock& clock, Report& report) {
@@ -178,15 +220,13 @@ void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector
   const mesh::LayerMesh layers(growth.front, growth.lines);
   report.certificate = certify_or_fail(layers, wall, clock);
   report.certified = true;
-  report.cells = layers.n_cells_by_type();
-  report.points = layers.n_nodes();
   report.rounds = growth.rounds;
   report.smoothing_iterations = growth.smoothing_iterations;
   for (const auto& normal : growth.normals) report.surface.blind += !normal.is_visible;
   const auto coverage = staged(clock, "quality", [&] { return measure(wall, growth, layers, patches, report); });
 
   const Result result{prepared, wall, growth, layers, coverage};
-  write_meshes(result, report.name, output, clock);
+  write_results(result, output, clock, report);
   std::vector<Picture> pictures;
   if (settings.output.pictures) pictures = make_pictures(result, report.name, output, clock);
   clock.write_to(report);

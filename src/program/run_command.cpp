@@ -117,6 +117,13 @@ ExitCode run_case(const RunArguments& arguments, Console& console) {
     return ExitCode::Done;
   }
   print_results(report, console);
+  if (!report.volume_failure.empty()) {
+    console.fail(
+        fmt::format("the volume could not be filled: {}\nThe certified layers are written, and the triangles "
+                    "concerned; the column 'limited by' and a picture of them tell what is in the way",
+                    report.volume_failure));
+    return ExitCode::PartMissing;
+  }
   if (!report.is_short_of_coverage()) return ExitCode::Done;
   console.fail(below_coverage(report) +
                "\nThe mesh is certified and written; the column 'limited by' tells what is in the way");

@@ -165,6 +165,7 @@ class Opening {
       if (same == planes.end()) {
         planes.push_back(planes_[r]);
         result.side_faces.emplace_back();
+        result.patch.push_back(closed_.face_patch[regions_[r].faces.front()]);
         result.role.push_back(regions_[r].role);
       }
       auto& faces = result.side_faces[plane_number_[r]];

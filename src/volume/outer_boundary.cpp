@@ -20,6 +20,14 @@ mesh::SidePlane side_of(const SymmetryPlane& plane) {
   return side;
 }
 
+/// A name that no patch has yet.
+std::string unused(std::string name, const mesh::SurfaceMesh& surface) {
+  const auto& names = surface.patch_names;
+  const std::string stem = name;
+  for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i) name = fmt::format("{}-{}", stem, i);
+  return name;
+}
+
 /// Number of a plane among those of the wall, to which it is added if it is not there.
 mesh::PlaneIndex number_of(const mesh::SidePlane& side, surface::OpenWall& wall) {
   auto& planes = wall.planes.planes;
@@ -38,6 +46,7 @@ mesh::PlaneIndex number_of(const mesh::SidePlane& side, surface::OpenWall& wall)
   }
   planes.push_back(side);
   wall.side_faces.emplace_back();
+  wall.patch.push_back(wall.surface.patch_names.push_back(unused("symmetry", wall.surface)));
   wall.role.push_back(surface::SideRole::Symmetry);
   if (wall.planes.of_vertex.empty()) {
     wall.planes.of_vertex.resize(surface.points.size(), {mesh::kNoPlane, mesh::kNoPlane, mesh::kNoPlane});
@@ -66,13 +75,6 @@ void mark(const mesh::SurfaceMesh& far, const std::vector<mesh::PlaneIndex>& num
     }
     planes.of_edge.push_back(plane);
   }
-}
-
-/// A name that no patch has yet.
-std::string unused(std::string name, const mesh::SurfaceMesh& surface) {
-  const auto& names = surface.patch_names;
-  while (std::find(names.begin(), names.end(), name) != names.end()) name += "-outer";
-  return name;
 }
 
 void append(const mesh::SurfaceMesh& far, surface::OpenWall& wall) {

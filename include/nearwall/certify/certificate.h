@@ -45,6 +45,16 @@ struct FrontSurface {
 
 FrontSurface front_surface(const mesh::Front& front, const mesh::Lines& lines);
 
+/// An edge of the front on a plane, in the direction in which the rest of the plane lies to its left.
+struct TraceEdge {
+  std::array<std::uint32_t, 2> points{};  ///< of the front
+  FrontFaceId face;                       ///< invalid for the edge between two planes
+};
+
+/// Edges of the front on each plane: (n_planes) lists, those between two planes left out.
+std::vector<std::vector<TraceEdge>> plane_traces(const mesh::Front& front, const mesh::SidePlanes& planes,
+                                                 const FrontSurface& surface);
+
 /// Adds what the front leaves of the planes at which the wall ends, as constrained Delaunay triangulations without new
 /// points; where two planes meet, straight from the end of one chain of edges to the next. Normals of these triangles
 /// point into the domain, as those of the front. Exact in the plane, for planes along no axis in their projection along

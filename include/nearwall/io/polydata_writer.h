@@ -24,14 +24,15 @@ struct StringArray {
   std::vector<std::string> values;
 };
 
-/// What a .vtp file holds. Lines and triangles carry their arrays apart; the writer puts them into VTK's order of cells
-/// (lines first) and fills an array that only one of them has with −1 or NaN on the other.
+/// What a .vtp file holds. Lines and polygons (triangles, then quads) carry their arrays apart; the writer puts them
+/// into VTK's order of cells (lines first) and fills an array that only one of them has with −1 or NaN on the other.
 struct PolyDataFile {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of points
+  std::vector<std::array<std::uint32_t, 4>> quads;      ///< indices of points
   std::vector<std::array<std::uint32_t, 2>> lines;      ///< indices of points
   std::vector<DataArray> point_data;                    ///< (n_points, components)
-  std::vector<DataArray> triangle_data;                 ///< (n_triangles, components)
+  std::vector<DataArray> triangle_data;                 ///< (n_triangles + n_quads, components)
   std::vector<DataArray> line_data;                     ///< (n_lines, components)
   std::vector<StringArray> field_data;                  ///< e.g. PatchNames
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "nearwall/quality/coverage.h"
 #include "nearwall/quality/layer_quality.h"
 #include "nearwall/quality/limited_lines.h"
+#include "nearwall/volume/domain_boundary.h"
+#include "nearwall/volume/fill_quality.h"
 
 namespace nearwall {
 
@@ -52,6 +55,21 @@ struct Picture {
   std::string title;
 };
 
+/// What lies on the domain's boundary under one name.
+struct BoundaryPatch {
+  std::uint64_t triangles = 0;
+  std::uint64_t quads = 0;
+  double area = 0;  ///< [length²]
+};
+
+/// The whole volume, where it was asked for.
+struct VolumeReport {
+  std::uint64_t tetrahedra = 0;  ///< of the fill
+  volume::DomainCertificate certificate;
+  volume::FillQuality quality;
+  std::vector<BoundaryPatch> boundary;  ///< (n_patches)
+};
+
 /// What a run did: everything of report.json.
 struct Report {
   std::string name;
@@ -66,7 +84,9 @@ struct Report {
   quality::LayerQuality quality;
   quality::LimitedLines limited;
   certify::Certificate certificate;
-  int rounds = 0;  ///< of certify and shrink
+  std::optional<VolumeReport> volume;
+  std::string volume_failure;  ///< why the volume that was asked for is missing; empty if it is not
+  int rounds = 0;              ///< of certify and shrink
   int smoothing_iterations = 0;
   std::vector<StageTime> stages;
   std::uint64_t peak_memory_bytes = 0;

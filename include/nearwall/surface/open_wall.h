@@ -15,6 +15,7 @@ struct OpenWall {
   IdVector<VertexId, VertexId> vertex;          ///< number in the closed surface
   mesh::SidePlanes planes;                      ///< normals into the domain
   std::vector<std::vector<FaceId>> side_faces;  ///< (n_planes) faces of the closed surface that were taken out
+  std::vector<PatchId> patch;                   ///< (n_planes) of the first of these faces
   std::vector<SideRole> role;                   ///< (n_planes)
   std::vector<std::string> notes;               ///< sides on which layers do not land, and why
 };

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "nearwall/certify/certificate.h"
+#include "nearwall/mesh/layer_mesh.h"
+#include "nearwall/mesh/side_planes.h"
+#include "nearwall/volume/fill.h"
+
+namespace nearwall::volume {
+
+/// In place of a node: the point belongs to no layer.
+inline constexpr NodeIndex kNoLayerNode = ~NodeIndex{0};
+
+/// The closed surface round what the layers leave of the domain: the front, triangle for triangle, and what is left of
+/// the planes on which the layers land, meshed anew.
+struct RestBoundary {
+  FillBoundary surface;                      ///< points of the layers first, then those added on planes
+  std::vector<NodeIndex> node;               ///< (n_points) of the layer mesh; kNoLayerNode for added points
+  std::size_t n_front = 0;                   ///< triangles of the front; the others lie on planes
+  std::vector<FrontFaceId> front_face;       ///< (n_front) below
+  std::vector<mesh::PlaneIndex> rest_plane;  ///< (n_triangles − n_front)
+};
+
+struct RestSizes {
+  double growth = 1.3;            ///< ratio of an edge to the next one away from the layers, > 1
+  std::optional<double> largest;  ///< [length]
+};
+
+/// Triangles on planes are as large as the edges of the layers beside them, and of fronts near the plane, and grow from
+/// there at the asked rate; edges between two planes first. Edges of the layers are never split.
+/// \param face_component  (n_wall_faces) invalid where the fluid does not reach: such faces bound nothing
+/// \pre the layers are certified.
+/// Cost: O(n log n).    Source: docs/theory/planes.md
+RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes);
+
+}  // namespace nearwall::volume

@@ -1,0 +1,143 @@
+#include "pipeline/volume_stage.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "nearwall/core/errors.h"
+#include "nearwall/mesh/mesh_source.h"
+#include "nearwall/search/wall_tree.h"
+#include "nearwall/volume/hybrid_mesh.h"
+#include "pipeline/stage_clock.h"
+
+namespace nearwall::pipeline {
+
+namespace {
+
+/// Cells and the domain may differ by rounding only; more than this would be a defect.
+constexpr double kLargestClosure = 1e-9;
+
+/// The faces of a plane that were taken out, for asking which is nearest.
+struct OldSide {
+  mesh::SurfaceMesh surface;
+  std::unique_ptr<search::WallTree> tree;
+};
+
+void require_certified(const volume::DomainCertificate& c) {
+  if (c.is_valid() && c.closure() <= kLargestClosure) return;
+  throw InternalError(
+      fmt::format("the volume could not be certified: {} of {} faces on planes are turned over, closure "
+                  "{:.3g}; nothing was written",
+                  c.n_bad_side_faces, c.n_side_faces, c.closure()));
+}
+
+}  // namespace
+
+volume::PatchOnPlane patches_on_planes(const Prepared& prepared) {
+  const auto sides = std::make_shared<std::map<mesh::PlaneIndex, OldSide>>();
+  const mesh::SurfaceMesh& closed = prepared.admission.surface;
+  for (mesh::PlaneIndex p = 0; p < prepared.wall.side_faces.size(); ++p) {
+    const auto& faces = prepared.wall.side_faces[p];
+    const bool is_one_patch = std::all_of(faces.begin(), faces.end(),
+                                          [&](FaceId f) { return closed.face_patch[f] == prepared.wall.patch[p]; });
+    if (is_one_patch) continue;
+    OldSide& side = (*sides)[p];
+    side.surface.points = closed.points;
+    for (const FaceId f : faces) {
+      side.surface.faces.push_back(closed.faces[f]);
+      side.surface.face_patch.push_back(closed.face_patch[f]);
+    }
+    side.tree = std::make_unique<search::WallTree>(side.surface);
+  }
+  return [sides, &prepared](mesh::PlaneIndex plane, const Vec3& middle) {
+    const auto found = sides->find(plane);
+    if (found == sides->end()) return prepared.wall.patch[plane];
+    return found->second.surface.face_patch[found->second.tree->nearest(middle).face];
+  };
+}
+
+std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const certify::CertifiedWall& wall,
+                                                const mesh::LayerMesh& layers, const mesh::MeshSource& source,
+                                                double layers_volume, ProgressSink& progress) {
+  const VolumeSettings& settings = prepared.settings.volume;
+  Volume result;
+  result.rest = staged(progress, "sides", [&] { return volume::rest_boundary(layers, wall, {settings.growth, {}}); });
+  try {
+    volume::FillOptions options;
+    options.growth = settings.growth;
+    result.fill = staged(progress, "tetrahedra",
+                         [&] { return volume::fill_with_tetgen(result.rest.surface, options, progress); });
+  } catch (const volume::FillFailed& failed) {
+    return VolumeFailure{failed.what(), std::move(result.rest), failed.triangles};
+  } catch (const BackendError& failed) {
+    return VolumeFailure{failed.what(), std::move(result.rest), {}};
+  }
+  progress.begin_stage("domain");
+  const volume::HybridMesh hybrid(source, result.rest, result.fill);
+  result.boundary = volume::domain_boundary(layers, wall, result.rest, hybrid, patches_on_planes(prepared));
+  progress.update(0.4);
+  result.certificate = volume::certify_domain(result.boundary, wall.planes, layers_volume, result.fill);
+  require_certified(result.certificate);
+  progress.update(0.6);
+  result.quality = volume::fill_quality(layers, result.rest, result.fill);
+  progress.end_stage();
+  return result;
+}
+
+io::PolyDataFile boundary_file(const volume::DomainBoundary& boundary, const Prepared& prepared) {
+  io::PolyDataFile file;
+  file.points = boundary.points;
+  std::vector<double> node(boundary.node.begin(), boundary.node.end());  // exact up to 2^53
+  std::vector<std::int32_t> patch, triangle;
+  const auto add_arrays = [&](std::size_t f) {
+    const FaceId wall_face = boundary.wall_face[f];
+    const FaceId input = wall_face.is_valid() ? prepared.input_face[wall_face] : FaceId();
+    patch.push_back(static_cast<std::int32_t>(boundary.patch[f].index()));
+    triangle.push_back(input.is_valid() ? static_cast<std::int32_t>(input.index()) : -1);
+  };
+  for (const int size : {3, 4}) {
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+      if (boundary.size_of(f) != size) continue;
+      const auto& [a, b, c, d] = boundary.faces[f];
+      if (size == 3) {
+        file.triangles.push_back({a, b, c});
+      } else {
+        file.quads.push_back({a, b, c, d});
+      }
+      add_arrays(f);
+    }
+  }
+  file.point_data.push_back({"Node", std::move(node)});
+  file.triangle_data.push_back({"Patch", std::move(patch)});
+  file.triangle_data.push_back({"Triangle", std::move(triangle)});
+  file.field_data.push_back({"PatchNames", prepared.surface().patch_names.raw()});
+  return file;
+}
+
+io::PolyDataFile fill_faults_file(const VolumeFailure& failure) {
+  const volume::FillBoundary& surface = failure.rest.surface;
+  io::PolyDataFile file;
+  std::vector<std::uint32_t> triangles = failure.triangles;
+  if (triangles.empty()) {
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) triangles.push_back(t);
+  }
+  std::map<std::uint32_t, std::uint32_t> number;
+  std::vector<std::int32_t> is_front;
+  for (const std::uint32_t t : triangles) {
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = surface.triangles[t][k];
+      const auto [found, is_new] = number.emplace(p, static_cast<std::uint32_t>(file.points.size()));
+      if (is_new) file.points.push_back(surface.points[p]);
+      corners[k] = found->second;
+    }
+    file.triangles.push_back(corners);
+    is_front.push_back(t < failure.rest.n_front ? 1 : 0);
+  }
+  file.triangle_data.push_back({"IsFront", std::move(is_front)});
+  return file;
+}
+
+}  // namespace nearwall::pipeline

@@ -1,0 +1,173 @@
+#include "nearwall/volume/domain_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "nearwall/geometry/box.h"
+#include "nearwall/geometry/measures.h"
+#include "nearwall/mesh/cell.h"
+#include "nearwall/predicates/orientation.h"
+
+namespace nearwall::volume {
+
+namespace {
+
+using mesh::FaceNodes;
+using mesh::kNoNode;
+
+class BoundaryBuilder {
+ public:
+  BoundaryBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const PatchOnPlane& patch_of)
+      : layers_(layers), wall_(wall), patch_of_(patch_of) {}
+
+  void add_wall() {
+    for (const FaceId f : wall_.surface.faces.ids()) {
+      if (!wall_.face_component[f].is_valid()) continue;
+      const auto& v = wall_.surface.faces[f];
+      const auto point = [&](VertexId w) { return number(w.index(), wall_.surface.points[w]); };
+      const std::uint32_t a = point(v[0]), b = point(v[1]), c = point(v[2]);
+      add({a, c, b, kNoNode}, wall_.surface.face_patch[f], f, mesh::kNoPlane);
+    }
+  }
+
+  void add_sides() {
+    if (!wall_.planes || wall_.planes->empty()) return;
+    const auto front = certify::front_surface(layers_.front(), layers_.lines());
+    const auto traces = certify::plane_traces(layers_.front(), *wall_.planes, front);
+    for (mesh::PlaneIndex p = 0; p < traces.size(); ++p) {
+      // A trace runs along the front with the rest of the plane to its left: the other way round than the wall's edge.
+      for (const certify::TraceEdge& edge : traces[p]) add_side(p, LineId(edge.points[1]), LineId(edge.points[0]));
+    }
+  }
+
+  void add_rest(const RestBoundary& rest, const HybridMesh& mesh) {
+    for (std::size_t t = rest.n_front; t < rest.surface.triangles.size(); ++t) {
+      FaceNodes face{0, 0, 0, kNoNode};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t p = rest.surface.triangles[t][k];
+        face[k] = number(mesh.node(p), rest.surface.points[p]);
+      }
+      const mesh::PlaneIndex plane = rest.rest_plane[t - rest.n_front];
+      add(face, patch_of_(plane, middle_of(face)), FaceId(), plane);
+    }
+  }
+
+  DomainBoundary take() { return std::move(boundary_); }
+
+ private:
+  std::uint32_t number(NodeIndex node, const Vec3& position) {
+    const auto [found, is_new] = number_.emplace(node, static_cast<std::uint32_t>(boundary_.points.size()));
+    if (is_new) {
+      boundary_.node.push_back(node);
+      boundary_.points.push_back(position);
+    }
+    return found->second;
+  }
+
+  std::uint32_t number(LineId line, Level level) {
+    return number(layers_.node(line, level), layers_.lines().position(line, level));
+  }
+
+  Vec3 middle_of(const FaceNodes& face) const {
+    Vec3 sum;
+    const int n = mesh::size_of(face);
+    for (int k = 0; k < n; ++k) sum += boundary_.points[face[static_cast<std::size_t>(k)]];
+    return sum / n;
+  }
+
+  void add(const FaceNodes& face, PatchId patch, FaceId wall_face, mesh::PlaneIndex plane) {
+    boundary_.faces.push_back(face);
+    boundary_.patch.push_back(patch);
+    boundary_.wall_face.push_back(wall_face);
+    boundary_.plane.push_back(plane);
+  }
+
+  /// The faces between two lines on a plane, by the rule of columns: nodes that repeat are dropped.
+  void add_side(mesh::PlaneIndex plane, LineId a, LineId b) {
+    const mesh::Window wa = layers_.lines().windows[a], wb = layers_.lines().windows[b];
+    const Level first = std::min(wa.moves() ? wa.start : wb.start, wb.moves() ? wb.start : wa.start);
+    const Level last = std::max(wa.moves() ? wa.end : Level{0}, wb.moves() ? wb.end : Level{0});
+    for (Level j = first; j < last; ++j) {
+      const auto above = static_cast<Level>(j + 1);
+      FaceNodes face{kNoNode, kNoNode, kNoNode, kNoNode};
+      std::size_t n = 0;
+      for (const std::uint32_t p : {number(a, j), number(b, j), number(b, above), number(a, above)}) {
+        if (std::find(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(n), p) ==
+            face.begin() + static_cast<std::ptrdiff_t>(n)) {
+          face[n++] = p;
+        }
+      }
+      if (n >= 3) add(face, patch_of_(plane, middle_of(face)), FaceId(), plane);
+    }
+  }
+
+  const mesh::LayerMesh& layers_;
+  const certify::CertifiedWall& wall_;
+  const PatchOnPlane& patch_of_;
+  std::unordered_map<NodeIndex, std::uint32_t> number_;
+  DomainBoundary boundary_;
+};
+
+/// Whether each corner of a face on a plane turns left, seen from outside of the domain.
+bool is_convex(const DomainBoundary& boundary, std::size_t face, const mesh::SidePlane& plane) {
+  const auto n = static_cast<std::size_t>(boundary.size_of(face));
+  std::array<Vec3, 4> flat;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto [u, v] = plane.flat(boundary.points[boundary.faces[face][k]]);
+    flat[k] = Vec3(u, v, 0);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 &p = flat[(k + n - 1) % n], &q = flat[k], &r = flat[(k + 1) % n];
+    // Clockwise in the plane's coordinates, which are seen from the domain.
+    if (predicates::orientation(q, p, r, q + Vec3(0, 0, 1)) != predicates::Sign::Positive) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+double DomainCertificate::closure() const {
+  return summed_volume > 0 ? std::abs(cells_volume - enclosed_volume) / summed_volume : 0;
+}
+
+DomainBoundary domain_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall,
+                               const RestBoundary& rest, const HybridMesh& mesh, const PatchOnPlane& patch_of) {
+  BoundaryBuilder builder(layers, wall, patch_of);
+  builder.add_wall();
+  builder.add_sides();
+  builder.add_rest(rest, mesh);
+  return builder.take();
+}
+
+DomainCertificate certify_domain(const DomainBoundary& boundary, const mesh::SidePlanes* planes, double layers_volume,
+                                 const Fill& fill) {
+  DomainCertificate result;
+  const Vec3 centre = geometry::bounding_box(boundary.points).centre();
+  geometry::CompensatedSum cells, cones, sizes;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    if (boundary.plane[f] != mesh::kNoPlane) {
+      ++result.n_side_faces;
+      if (!is_convex(boundary, f, planes->planes[boundary.plane[f]])) ++result.n_bad_side_faces;
+    }
+    const Vec3& first = boundary.points[boundary.faces[f][0]];
+    for (int k = 1; k + 1 < boundary.size_of(f); ++k) {
+      const Vec3& second = boundary.points[boundary.faces[f][static_cast<std::size_t>(k)]];
+      const Vec3& third = boundary.points[boundary.faces[f][static_cast<std::size_t>(k + 1)]];
+      const double cone = dot(cross(second - first, third - first), first - centre) / 6;
+      cones.add(cone);
+      sizes.add(std::abs(cone));
+    }
+  }
+  cells.add(layers_volume);
+  for (const auto& t : fill.tetrahedra) {
+    const std::array<Vec3, 4> p = {fill.points[t[0]], fill.points[t[1]], fill.points[t[2]], fill.points[t[3]]};
+    cells.add(mesh::cell_volume(mesh::CellType::Tetrahedron, p));
+  }
+  result.cells_volume = cells.value();
+  result.enclosed_volume = cones.value();
+  result.summed_volume = sizes.value();
+  return result;
+}
+
+}  // namespace nearwall::volume

@@ -1,0 +1,201 @@
+#include "nearwall/volume/rest_boundary.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+#include "nearwall/core/expect.h"
+#include "nearwall/mesh/seams.h"
+#include "nearwall/planar/graded_points.h"
+#include "nearwall/planar/region.h"
+#include "nearwall/planar/size_field.h"
+
+namespace nearwall::volume {
+
+namespace {
+
+using certify::FrontSurface;
+using certify::TraceEdge;
+
+/// A point of the front asks for sizes on a plane if it is no farther from it than so many of its edges.
+constexpr double kNear = 20;
+
+class RestBuilder {
+ public:
+  RestBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes)
+      : layers_(layers), wall_(wall), sizes_(sizes), front_(certify::front_surface(layers.front(), layers.lines())) {
+    largest_ = sizes.largest.value_or(std::numeric_limits<double>::infinity());
+  }
+
+  RestBoundary build() {
+    add_front();
+    if (wall_.planes && !wall_.planes->empty()) add_planes();
+    rename_points();
+    return std::move(rest_);
+  }
+
+ private:
+  double slope() const { return sizes_.growth - 1; }
+
+  /// Seen from outside of what is left: the other way round than the front, which looks into the fluid.
+  void add_front() {
+    rest_.surface.points = front_.points;
+    for (std::size_t t = 0; t < front_.triangles.size(); ++t) {
+      const FrontFaceId f = front_.face[t];
+      if (layers_.front().is_wall(f) && !wall_.face_component[FaceId(f.index())].is_valid()) continue;
+      const auto& [a, b, c] = front_.triangles[t];
+      rest_.surface.triangles.push_back({a, c, b});
+      rest_.front_face.push_back(f);
+    }
+    rest_.n_front = rest_.surface.triangles.size();
+  }
+
+  void add_planes() {
+    const auto& planes = wall_.planes->planes;
+    const auto traces = certify::plane_traces(layers_.front(), *wall_.planes, front_);
+    edges_.resize(planes.size());
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      for (const TraceEdge& edge : traces[p]) edges_[p].push_back(edge.points);
+    }
+    find_sizes();
+    const mesh::Seams seams = mesh::find_seams(front_.points, planes, edges_);
+    expect(seams.loose.empty(), "rest_boundary: the edges of certified layers close on planes");
+    for (const mesh::Seam& seam : seams.seams) divide(seam);
+    for (mesh::PlaneIndex p = 0; p < planes.size(); ++p) fill(p);
+  }
+
+  /// Mean length of the edges of the front at each point.
+  void find_sizes() {
+    size_.assign(front_.points.size(), 0);
+    std::vector<double> n(size_.size(), 0);
+    for (const auto& t : front_.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double length = distance(front_.points[t[k]], front_.points[t[(k + 1) % 3]]);
+        for (const std::size_t end : {k, (k + 1) % 3}) size_[t[end]] += length, ++n[t[end]];
+      }
+    }
+    for (std::size_t i = 0; i < size_.size(); ++i) size_[i] = n[i] > 0 ? size_[i] / n[i] : 0.0;
+  }
+
+  std::uint32_t add_point(const Vec3& p) {
+    rest_.surface.points.push_back(p);
+    return static_cast<std::uint32_t>(rest_.surface.points.size() - 1);
+  }
+
+  /// Points along the edge between two planes.
+  void divide(const mesh::Seam& seam) {
+    const auto [from, to] = seam.ends;
+    const Vec3 begin = front_.points[from], way = front_.points[to] - begin;
+    const double length = norm(way);
+    std::uint32_t last = from;
+    const auto join = [&](std::uint32_t next) {
+      edges_[seam.first].push_back({last, next});
+      edges_[seam.second].push_back({next, last});
+      last = next;
+    };
+    for (const double at : planar::graded_points(length, size_[from], size_[to], slope(), largest_)) {
+      join(add_point(begin + way * (at / length)));
+    }
+    join(to);
+  }
+
+  /// The points of a plane's edges in its coordinates, numbered anew.
+  struct Flat {
+    std::vector<planar::Point2> points;
+    std::vector<std::uint32_t> original;
+    std::vector<planar::Edge> edges;
+  };
+
+  Flat flat_edges(mesh::PlaneIndex p) const {
+    const mesh::SidePlane& plane = wall_.planes->planes[p];
+    Flat flat;
+    std::unordered_map<std::uint32_t, std::uint32_t> number;
+    const auto local = [&](std::uint32_t point) {
+      const auto [found, is_new] = number.emplace(point, static_cast<std::uint32_t>(flat.points.size()));
+      if (is_new) {
+        const auto [u, v] = plane.flat(rest_.surface.points[point]);
+        flat.points.push_back({u, v});
+        flat.original.push_back(point);
+      }
+      return found->second;
+    };
+    for (const auto& edge : edges_[p]) {
+      const std::uint32_t from = local(edge[0]), to = local(edge[1]);
+      flat.edges.push_back({from, to});
+    }
+    return flat;
+  }
+
+  /// Fronts near the plane that do not touch it.
+  std::vector<planar::SizeSource> sources_near(const mesh::SidePlane& plane) const {
+    std::vector<planar::SizeSource> sources;
+    for (std::size_t i = 0; i < front_.points.size(); ++i) {
+      const double height = plane.height(front_.points[i]);
+      if (!(size_[i] > 0) || !(height > 0) || height > kNear * size_[i]) continue;
+      const auto [u, v] = plane.flat(front_.points[i]);
+      sources.push_back({{u, v}, size_[i] + slope() * height});
+    }
+    return sources;
+  }
+
+  void fill(mesh::PlaneIndex p) {
+    if (edges_[p].empty()) return;
+    const mesh::SidePlane& plane = wall_.planes->planes[p];
+    Flat flat = flat_edges(p);
+    const planar::GradedSize size(flat.points, flat.edges, {slope(), largest_}, sources_near(plane));
+    const planar::RefinedRegion region =
+        planar::refine_region(flat.points, flat.edges, [&](const planar::Point2& at) { return size(at); });
+    for (std::size_t i = flat.original.size(); i < region.points.size(); ++i) {
+      flat.original.push_back(add_point(plane.lifted(region.points[i].u, region.points[i].v)));
+    }
+    for (const auto& [a, b, c] : region.triangles) {
+      rest_.surface.triangles.push_back({flat.original[a], flat.original[c], flat.original[b]});
+      rest_.rest_plane.push_back(p);
+    }
+  }
+
+  NodeIndex node_of(std::uint32_t point) const {
+    const std::size_t n_lines = layers_.front().n_lines();
+    if (point >= front_.points.size()) return kNoLayerNode;
+    if (point >= n_lines) return layers_.n_nodes() - layers_.caps().size() + (point - n_lines);
+    const LineId line(point);
+    return layers_.node(line, layers_.lines().windows[line].end);
+  }
+
+  /// Leaves out the points that no triangle has.
+  void rename_points() {
+    std::vector<Vec3> points;
+    std::vector<std::uint32_t> number(rest_.surface.points.size(), 0);
+    std::vector<char> is_used(number.size(), 0);
+    for (const auto& t : rest_.surface.triangles) {
+      for (const std::uint32_t p : t) is_used[p] = 1;
+    }
+    for (std::uint32_t p = 0; p < number.size(); ++p) {
+      if (!is_used[p]) continue;
+      number[p] = static_cast<std::uint32_t>(points.size());
+      points.push_back(rest_.surface.points[p]);
+      rest_.node.push_back(node_of(p));
+    }
+    for (auto& t : rest_.surface.triangles) {
+      for (std::uint32_t& p : t) p = number[p];
+    }
+    rest_.surface.points = std::move(points);
+  }
+
+  const mesh::LayerMesh& layers_;
+  const certify::CertifiedWall& wall_;
+  const RestSizes& sizes_;
+  const FrontSurface front_;
+  double largest_ = 0;
+  std::vector<double> size_;  // (n_front_points)
+  mesh::PlaneEdges edges_;
+  RestBoundary rest_;
+};
+
+}  // namespace
+
+RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes) {
+  return RestBuilder(layers, wall, sizes).build();
+}
+
+}  // namespace nearwall::volume
