@@ -19,7 +19,9 @@ using Point = Kernel::Point_2;
 constexpr double kRadius = 0.72;
 /// New points keep this distance from all others, and half of it from the edges given, over the size wanted there.
 constexpr double kSeparation = 0.65;
-constexpr int kSmoothingRounds = 12;
+/// More than these make angles no better (square of 120,000 triangles: 1 % are below 37.2 degrees, after 12
+/// rounds 37.3).
+constexpr int kSmoothingRounds = 4;
 /// Four times the square root of three: makes the shape of an equilateral triangle 1.
 const double kEquilateral = 4 * std::sqrt(3.0);
 /// Shapes that smoothing may make of better ones: an isosceles triangle of this shape has angles of 43 degrees.
@@ -104,7 +106,8 @@ bool Refinement::has_room_beside(const Candidate& c, Face f) const {
 }
 
 /// True if the place is far enough from all vertices and given edges that it would be connected to. Nearest
-/// faces first, it stops at what is too near: most places are refused, and may be in the circumcircles of very many faces.
+/// faces first, it stops at what is too near: most places are refused, and may be in the circumcircles of very many
+/// faces.
 bool Refinement::has_room(const Candidate& c, Face located) {
   conflicts_.assign(1, {located, Face()});
   for (std::size_t next = 0; next < conflicts_.size(); ++next) {
