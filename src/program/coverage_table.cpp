@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "program/row_names.h"
 #include "program/table.h"
 
 namespace nearwall::program {
@@ -13,7 +14,7 @@ namespace nearwall::program {
 namespace {
 
 constexpr std::size_t kMostRows = 20;
-constexpr std::size_t kLongestName = 18;
+constexpr std::size_t kLongestName = 19;
 constexpr std::size_t kMostReasons = 2;
 constexpr double kPercent = 100;
 
@@ -50,26 +51,19 @@ quality::PatchCoverage put_together(const std::vector<const PatchReport*>& patch
   return sum;
 }
 
-/// Cuts between characters of UTF-8.
-std::string shortened(const std::string& name, std::size_t longest) {
-  if (text_width(name) <= longest) return name;
-  const auto begins_character = [&](std::size_t i) { return (static_cast<unsigned char>(name[i]) & 0xC0u) != 0x80u; };
-  std::size_t end = 0;
-  for (std::size_t n = 0; end < name.size(); ++end) {
-    if (begins_character(end) && ++n == longest) break;
-  }
-  return name.substr(0, end) + "…";
+std::string why_without_layers(PatchType type) {
+  if (type == PatchType::Wall) return "out of the fluid's reach";
+  return type == PatchType::NoLayer ? "no layers asked" : std::string(type_name(type));
 }
 
 class CoverageTable {
  public:
   explicit CoverageTable(bool is_whole) : is_whole_(is_whole) {}
 
-  void add(const PatchReport& patch) {
+  void add(const std::string& name, const PatchReport& patch) {
     const quality::PatchCoverage& c = patch.coverage;
-    const std::string name = is_whole_ ? patch.name : shortened(patch.name, kLongestName);
     if (!has_layers(patch)) {
-      add_without_layers(name, c.area, patch.type == PatchType::Wall ? "out of the fluid's reach" : "no layers asked");
+      add_without_layers(name, c.area, why_without_layers(patch.type));
       return;
     }
     const double asked = c.asked.total_thickness;
@@ -134,12 +128,15 @@ std::string coverage_table(const Report& report, bool is_whole) {
   const std::size_t n = report.patches.size();
   const auto is_shown = choose_rows(report.patches, is_whole || n <= kMostRows + 1 ? n : kMostRows);
   CoverageTable table(is_whole);
+  std::vector<std::string> names;
+  for (const PatchReport& patch : report.patches) names.push_back(patch.name);
+  if (!is_whole) names = row_names(names, kLongestName);
   std::vector<const PatchReport*> rest, walls;
   for (std::size_t p = 0; p < n; ++p) {
     const PatchReport& patch = report.patches[p];
     if (has_layers(patch)) walls.push_back(&patch);
     if (is_shown[p]) {
-      table.add(patch);
+      table.add(names[p], patch);
     } else {
       rest.push_back(&patch);
     }

@@ -75,9 +75,28 @@ TEST(CoverageTable, FitsTheScreenWithLongNamesAndManyReasons) {
   report.patches[0].coverage.limit_percent = {0, 0, 60.5, 20.5, 10.5, 8.5, 0, 0, 0};
   const std::string text = coverage_table(report, false);
   EXPECT_LE(longest_line(text), 120u) << text;
-  EXPECT_THAT(text, HasSubstr("nnn…"));
-  EXPECT_THAT(text, HasSubstr("füüüüüüüüüüüüüüüü… "));
+  EXPECT_THAT(text, HasSubstr(" nnnnnnnnn…nnnnnnnnü "));
+  EXPECT_THAT(text, HasSubstr(" füüüüüüüü…üüüüüüüüü "));
   EXPECT_THAT(coverage_table(report, true), HasSubstr(report.patches[0].name));
+}
+
+TEST(CoverageTable, KeepsLongNamesApart) {
+  Report report;
+  const std::string middle(30, 'm');
+  for (const char* name : {"inboard", "outboard"})
+    report.patches.push_back(wall("wing-upper-surface-" + std::string(name), 1, 50));
+  for (const char* c : {"a", "b", "c"}) report.patches.push_back(wall("nacelle" + middle + c + middle + "lip", 1, 50));
+  const std::string text = coverage_table(report, false);
+  EXPECT_THAT(text, HasSubstr("\n  wing-uppe…e-inboard "));
+  EXPECT_THAT(text, HasSubstr("\n  wing-uppe…-outboard "));
+  for (const char* name : {"nacellemmmmmmmmm…#3", "nacellemmmmmmmmm…#4", "nacellemmmmmmmmm…#5"})
+    EXPECT_THAT(text, HasSubstr(name));
+}
+
+TEST(CoverageTable, SaysWhatPatchesWithoutLayersAre) {
+  Report report;
+  report.patches = {wall("wing", 3, 100), {.name = "mid", .type = PatchType::Symmetry, .coverage = {}}};
+  EXPECT_THAT(coverage_table(report, false), testing::ContainsRegex("mid .* symmetry\n"));
 }
 
 TEST(CoverageTable, NeverCallsAllWhatIsNotAll) {
