@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,6 +41,20 @@ struct FeatureCounts {
   std::size_t convex = 0, concave = 0;  // ridges
   std::size_t corners = 0, ridge_ends = 0, tips = 0, blind = 0;
 };
+
+/// The surface with its faces turned to the fluid, as far as that can be told of one that cannot be used: admission
+/// turns the others itself.
+mesh::SurfaceMesh facing_fluid(const Admission& admission, surface::FluidSide fluid) {
+  mesh::SurfaceMesh mesh = admission.surface;
+  if (admission.is_usable() || admission.face_component.empty()) return mesh;
+  for (const FaceId f : mesh.faces.ids()) {
+    const surface::Component& part = admission.components[admission.face_component[f]];
+    const bool is_inside_out = part.depth % 2 == 0 ? part.volume < 0 : part.volume > 0;
+    const bool is_seen_from_inside = fluid == surface::FluidSide::Inside && part.is_wetted;
+    if (is_inside_out != is_seen_from_inside) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  }
+  return mesh;
+}
 
 /// nullopt: the surface is not manifold, so that a vertex has no ring to look at.
 std::optional<FeatureCounts> count_features(const mesh::SurfaceMesh& mesh, double ridge_angle) try {
@@ -108,7 +123,7 @@ std::string facts(const LoadedSurface& loaded, const Admission& admission, const
   }
   out += fmt::format("  box         {} to {}\n", place(box.low), place(box.high));
   if (!counts) return out + "  features    cannot be told: the surface is not manifold\n";
-  out += fmt::format("  ridges      {} convex, {} concave edges (turn of {} degrees and more)\n",
+  out += fmt::format("  ridges      {} convex, {} concave edges, seen from the fluid (turn of {} degrees and more)\n",
                      grouped(counts->convex), grouped(counts->concave), ridge_angle_deg);
   out += fmt::format("  points of   {} corners, {} ridge ends, {} tips\n", grouped(counts->corners),
                      grouped(counts->ridge_ends), grouped(counts->tips));
@@ -134,7 +149,8 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   policy.fluid = arguments.fluid == "inside" ? surface::FluidSide::Inside : surface::FluidSide::Outside;
   const Admission admission = staged(console, "inspecting", [&] { return surface::inspect(loaded.mesh, policy); });
   const auto counts = staged(console, "features", [&] {
-    return count_features(admission.surface, geometry::to_radians(arguments.surface.ridge_angle_deg));
+    return count_features(facing_fluid(admission, policy.fluid),
+                          geometry::to_radians(arguments.surface.ridge_angle_deg));
   });
 
   console.print_json(json_of(admission, loaded.mesh, counts));

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nearwall/io/surface_reader.h"
+#include "nearwall/io/surface_writer.h"
 #include "tests/program/workplace.h"
 
 namespace nearwall::program {
@@ -35,6 +36,26 @@ TEST(CheckCommand, SeesTheCubeFromInsideAsConcave) {
   const json result = json::parse(place.run({"check", "cube.obj", "--json", "--fluid", "inside"}).out);
   EXPECT_EQ(result["ridges"]["convex"], 0);
   EXPECT_EQ(result["ridges"]["concave"], 12);
+}
+
+TEST(CheckCommand, SeesEdgesFromTheFluidOnFaultySurfacesToo) {
+  Workplace place;
+  const auto edges = [&](const std::string& file, const std::string& fluid) {
+    const json result = json::parse(place.run({"check", file, "--json", "--fluid", fluid}).out);
+    EXPECT_EQ(result["usable"], false);
+    return std::pair(result["ridges"]["convex"].get<int>(), result["ridges"]["concave"].get<int>());
+  };
+  place.write_cube("cube.obj");
+  mesh::SurfaceMesh cube = io::read_surface(place.path("cube.obj"));
+  for (auto& face : cube.faces) std::swap(face[0], face[1]);
+  io::write_surface(place.path("inside-out.obj"), cube);
+  EXPECT_EQ(edges("inside-out.obj", "outside"), std::pair(12, 0));
+  EXPECT_EQ(edges("inside-out.obj", "inside"), std::pair(0, 12));
+  place.write_open_cube("open.obj");
+  const auto [convex, concave] = edges("open.obj", "outside");
+  EXPECT_GT(convex, 0);
+  EXPECT_EQ(concave, 0);
+  EXPECT_EQ(edges("open.obj", "inside"), std::pair(0, convex));
 }
 
 TEST(CheckCommand, CallsNoEdgeOfTheCubeARidgeOverItsTurn) {
