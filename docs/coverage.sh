@@ -76,7 +76,7 @@ TEXT
 ## The ten with least at full thickness under S
 
 Close up at the largest triangle of the largest reason. Colours: `LimitReason`, 0 none, 1 visibility, 2 curvature, 3 gap, 4 neighbour,
-5 quality, 6 patch edge, 7 intersection. What each means and what helps: [layers.md](layers.md).
+5 quality, 6 patch edge, 7 intersection, 8 isotropic (asked). What each means and what helps: [layers.md](layers.md).
 
 | surface | full % | all % | first % | largest reason, % of the area | where |
 | --- | ---: | ---: | ---: | --- | --- |
@@ -86,7 +86,7 @@ TEXT
 
 ## All surfaces
 
-`all %`, `full %`, `any %`: all layers; these at full thickness; any layer. `first %`: first height within 5 % of the asked one. `s`:
+`all %`, `full %`, `any %`: all layers; these at full thickness; any cell, be it no whole layer. `first %`: first height within 5 % of the asked one. `s`:
 seconds of growing.
 
 TEXT
