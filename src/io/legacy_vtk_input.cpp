@@ -199,6 +199,10 @@ void LegacyVtkInput::read_array(const std::string& name, std::int64_t n_componen
 }
 
 void LegacyVtkInput::read_values(const std::string& name, std::int64_t n_components, std::int64_t n, ScalarType type) {
+  if (point_arrays_ && in_cell_data_) point_arrays_->meet_other(name, "a cell array");
+  if (point_arrays_ && in_point_data_ && n_components != 1) {
+    point_arrays_->meet_other(name, fmt::format("a point array of {} components", n_components));
+  }
   if (in_cell_data_ && n_components == 1 && is_patch_array_name(name) && !is_real(type)) {
     cell_arrays_.push_back({name, read_integers(n, type)});
   } else if (in_point_data_ && n_components == 1 && point_arrays_ && point_arrays_->meet(name)) {

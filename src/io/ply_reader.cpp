@@ -129,6 +129,9 @@ class PlyReader {
       find_wanted(element);
       surface_.reserve(n, 0);
     }
+    if (element.name == "face") {
+      for (const Property& p : element.properties) point_arrays_.meet_other(p.name, "a property of the faces");
+    }
     for (std::size_t i = 0; i < n; ++i) {
       if (element.name == "vertex") {
         read_point(element);

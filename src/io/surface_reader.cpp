@@ -51,22 +51,32 @@ constexpr std::array<std::string_view, 9> kLaterEndings = {"msh",  "su2",  "cgns
   for (std::size_t i = 0; i < kSurfaceEndings.size(); ++i) {
     if (kParsersWithArrays[i]) able.push_back(kSurfaceEndings[i]);
   }
-  throw InputError(fmt::format("{}: the point array \"{}\" is asked for, but files in .{} have none; those in .{} may",
-                               path.string(), wanted, ending, fmt::join(able, ", .")));
+  throw PointArrayMissing(
+      fmt::format("{}: the point array \"{}\" is asked for, but files in .{} have none; those in .{} may",
+                  path.string(), wanted, ending, fmt::join(able, ", .")),
+      wanted);
 }
 
-/// An array that was asked for. \throws InputError if the file has none of that name
+/// What there is in place of an array that is not there.
+std::string what_there_is(const PointArrays& arrays, const std::string& name) {
+  if (const std::string other = arrays.other(name); !other.empty()) {
+    return fmt::format("\"{}\" is {}; make it one number for each point first (in ParaView: {})", name, other,
+                       other.starts_with("a point array") ? "Calculator, mag(…)" : "Cell Data to Point Data");
+  }
+  if (arrays.met().empty()) return "the file has none at all";
+  const std::string near = nearest(name, arrays.met());
+  return fmt::format("there {} \"{}\"{}", arrays.met().size() == 1 ? "is" : "are", fmt::join(arrays.met(), "\", \""),
+                     near.empty() ? "" : fmt::format("; nearest: \"{}\"", near));
+}
+
+/// An array that was asked for. \throws PointArrayMissing if the file has none of that name
 mesh::PointArray taken(PointArrays& arrays, const std::string& name, const mesh::SurfaceMesh& mesh,
                        const std::filesystem::path& path) {
   mesh::PointArray* const found = arrays.find(name);
   if (!found) {
-    const std::string near = nearest(name, arrays.met());
-    throw InputError(fmt::format("{}: no point array \"{}\" of one number for each point; {}", path.string(), name,
-                                 arrays.met().empty()
-                                     ? "the file has none at all"
-                                     : fmt::format("there {} \"{}\"{}", arrays.met().size() == 1 ? "is" : "are",
-                                                   fmt::join(arrays.met(), "\", \""),
-                                                   near.empty() ? "" : fmt::format("; nearest: \"{}\"", near))));
+    throw PointArrayMissing(fmt::format("{}: no point array \"{}\" of one number for each point; {}", path.string(),
+                                        name, what_there_is(arrays, name)),
+                            name);
   }
   if (found->values.size() != mesh.points.size()) {
     throw GeometryError(fmt::format("{}: the point array \"{}\" has {} values for {} points", path.string(), name,
@@ -93,6 +103,13 @@ std::string surface_stem(const std::filesystem::path& path) {
 }
 
 mesh::SurfaceMesh read_surface(const std::filesystem::path& path) { return read_surface(path, {}); }
+
+std::vector<std::string> point_array_names(const std::filesystem::path& path) {
+  const auto parse = kParsersWithArrays[surface_format(path)];
+  PointArrays arrays;
+  if (parse) parse(read_bytes(path), path.string(), arrays);
+  return arrays.met();
+}
 
 mesh::SurfaceMesh read_surface(const std::filesystem::path& path, std::span<const std::string> point_arrays) try {
   if (std::filesystem::is_directory(path)) {

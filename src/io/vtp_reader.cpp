@@ -42,10 +42,16 @@ class VtpReader {
     } else if (array.section == "Strips") {
       read_cells(array, data_.strips);
     } else if (array.section == "CellData" && is_patch_array_name(array.name()) && is_single_integer(array)) {
+      point_arrays_.meet_other(std::string(array.name()), "a cell array");
       data_.cell_arrays.push_back({std::string(array.name()), in_.integers(array)});
     } else if (array.section == "PointData" && is_single_number(array)) {
       const std::string name(array.name());
       if (point_arrays_.meet(name)) point_arrays_.take(name, in_.reals(array));
+    } else if (array.section == "PointData" && !is_single(array)) {
+      const std::string components(array.tag.attribute("NumberOfComponents"));
+      point_arrays_.meet_other(std::string(array.name()), fmt::format("a point array of {} components", components));
+    } else if (array.section == "CellData") {
+      point_arrays_.meet_other(std::string(array.name()), "a cell array");
     } else if (array.section == "FieldData" && array.name() == kPatchNames) {
       data_.patch_names = in_.strings(array);
     }

@@ -57,6 +57,7 @@ std::string vtp() {
   file.point_data.push_back({"First", std::vector<double>{0.5, 0.25, 1e-300}});
   file.point_data.push_back({"Wind", std::vector<double>(9, 1.0), 3});
   file.point_data.push_back({"Total", std::vector<std::int32_t>{4, 5, 6}});
+  file.triangle_data.push_back({"Area", std::vector<double>{0.5}});
   return format_polydata(file);
 }
 
@@ -125,11 +126,27 @@ TEST(PointArrays, ThatAreMissingNameTheNearestAndThoseThereAre) {
   }
   EXPECT_THAT([] { read("a.vtk", kVtkHead, {"First"}); },
               ThrowsMessage<InputError>(HasSubstr("the file has none at all")));
+}
+
+TEST(PointArrays, ThatAreOfAnotherKindAreSaidToBe) {
+  const std::string vectors = "\"Wind\" is a point array of 3 components; make it one number for each point first";
   EXPECT_THAT([] { read("a.vtk", kVtkHead + kVtkArrays, {"Wind"}); },
-              ThrowsMessage<InputError>(HasSubstr("one number for each point")))
-      << "a vector is no length";
-  EXPECT_THAT([] { read("a.vtk", kVtkHead + kVtkArrays, {"Patch"}); }, testing::Throws<InputError>())
-      << "an array of cells is none of points";
+              ThrowsMessage<PointArrayMissing>(HasSubstr(vectors)));
+  EXPECT_THAT([] { read("a.vtp", vtp(), {"Wind"}); }, ThrowsMessage<PointArrayMissing>(HasSubstr(vectors)));
+  EXPECT_THAT([] { read("a.vtk", kVtkHead + kVtkArrays, {"Patch"}); },
+              ThrowsMessage<PointArrayMissing>(HasSubstr("\"Patch\" is a cell array")));
+  EXPECT_THAT([] { read("a.vtp", vtp(), {"Area"}); },
+              ThrowsMessage<PointArrayMissing>(HasSubstr("\"Area\" is a cell")));
+  EXPECT_THAT([] { read("a.ply", kPly, {"vertex_indices"}); },
+              ThrowsMessage<PointArrayMissing>(HasSubstr("is a property of the faces")));
+}
+
+TEST(PointArrays, AreListed) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(point_array_names(folder.file("a.vtp", vtp())), ElementsAre("First", "Total"));
+  EXPECT_THAT(point_array_names(folder.file("a.vtk", kVtkHead + kVtkArrays)), ElementsAre("First", "Total", "Steps"));
+  EXPECT_THAT(point_array_names(folder.file("a.ply", kPly)), ElementsAre("First", "Total"));
+  EXPECT_TRUE(point_array_names("no-file-is-read.stl").empty());
 }
 
 TEST(PointArrays, OfFormatsWithoutThemSayWhichHaveThem) {
