@@ -1,11 +1,11 @@
 #include "pipeline/case_document.h"
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <sstream>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <toml++/impl/preprocessor.h>
 
 // toml++ 3.3 assumes that a table header begins with a key before it has looked: "[=" ends a debug build and is
@@ -133,7 +133,20 @@ std::vector<std::string> split_key(const std::string& key) {
 
 }  // namespace
 
-std::string name_of(const Entry& entry) { return fmt::format("{}", fmt::join(entry.path, ".")); }
+std::string quoted_key(const std::string& part) {
+  const bool is_plain = !part.empty() && std::all_of(part.begin(), part.end(), [](unsigned char c) {
+    return c == '_' || c == '-' || (c < 0x80 && std::isalnum(c));
+  });
+  return is_plain ? part : fmt::format("\"{}\"", part);
+}
+
+std::string name_of(std::span<const std::string> path) {
+  std::string name;
+  for (const std::string& part : path) name += (name.empty() ? "" : ".") + quoted_key(part);
+  return name;
+}
+
+std::string name_of(const Entry& entry) { return name_of(entry.path); }
 
 std::vector<Entry> read_document(const std::string& text, const std::filesystem::path& file) {
   if (const auto stray = first_stray_character(text)) {

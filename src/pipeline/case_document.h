@@ -21,7 +21,11 @@ struct Entry {
   std::vector<Entry> items;  ///< of a list: each with the list's path; of a table in a list: its keys
 };
 
-/// "layers.first_height", for messages.
+/// A part of a dotted key as TOML wants it: in quotes unless it is a plain word.
+std::string quoted_key(const std::string& part);
+
+/// layers.first_height, patches."w*".type: for messages.
+std::string name_of(std::span<const std::string> path);
 std::string name_of(const Entry& entry);
 
 /// All tables and values of a TOML text in the order in which they stand there. Integers, numbers, booleans, texts,

@@ -7,6 +7,7 @@
 
 #include "nearwall/core/errors.h"
 #include "nearwall/core/nearest.h"
+#include "pipeline/case_document.h"
 #include "pipeline/patch_schedules.h"
 
 namespace nearwall {
@@ -95,7 +96,7 @@ void check_until(const LayerSettings& base, const PatchRule& rule) {
   throw InputError(
       fmt::format("{}: patches.{}: total_thickness and until = \"isotropic\", which is inherited, exclude each other; "
                   "add until = \"count\" here, or leave total_thickness out",
-                  rule.layers.where, rule.pattern));
+                  rule.layers.where, pipeline::quoted_key(rule.pattern)));
 }
 
 bool has_heights(const LayerSettings& s) {
@@ -105,7 +106,8 @@ bool has_heights(const LayerSettings& s) {
 [[noreturn]] void reject_rule(const PatchRule& rule, std::span<const std::string> patch_names) {
   const std::vector<std::string> names(patch_names.begin(), patch_names.end());
   const std::string near = nearest(rule.pattern, names);
-  throw InputError(fmt::format("{}: patches.{}: no patch of the surface has this name; {}", rule.where, rule.pattern,
+  throw InputError(fmt::format("{}: patches.{}: no patch of the surface has this name; {}", rule.where,
+                               pipeline::quoted_key(rule.pattern),
                                near.empty() ? fmt::format("its patches are \"{}\"", fmt::join(names, "\", \""))
                                             : fmt::format("nearest: \"{}\"", near)));
 }
@@ -124,10 +126,12 @@ void check_heights(const Case& settings) {
                                                   [](const PatchRule& rule) { return has_heights(rule.layers); });
   if (!any) {
     const std::string place = settings.layers.where.empty() ? settings.file.string() : settings.layers.where;
-    throw InputError(
-        fmt::format("{}: layers: the heights are missing: give first_height (or y_plus with [flow]) or "
-                    "total_thickness",
-                    place));
+    const auto is_until = [](const LayerSettings& layers) { return layers.until == Until::Isotropic; };
+    const bool is_isotropic =
+        is_until(settings.layers) || std::any_of(settings.patches.begin(), settings.patches.end(),
+                                                 [&](const PatchRule& rule) { return is_until(rule.layers); });
+    throw InputError(fmt::format("{}: layers: the heights are missing: give first_height (or y_plus with [flow]){}",
+                                 place, is_isotropic ? ", which until = \"isotropic\" needs" : " or total_thickness"));
   }
   if (has_heights(settings.layers)) check_schedule(settings, settings.layers, "layers");
 }

@@ -17,4 +17,8 @@ struct PatchLayers {
 /// The settings of [layers] and of all rules that match, put together. \throws InputError if a rule matches no patch
 std::vector<PatchLayers> settings_of_patches(const Case& settings, std::span<const std::string> patch_names);
 
+/// The surface as in its file, with the point arrays that the case names. \throws what reading throws; where an array
+/// is missing with the keys that ask for it
+mesh::SurfaceMesh read_with_lengths(const Case& settings);
+
 }  // namespace nearwall::pipeline

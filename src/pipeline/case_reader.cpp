@@ -52,15 +52,36 @@ bool is_table_name(std::string_view name) {
   return std::find(tables.begin(), tables.end(), name) != tables.end();
 }
 
+/// The table of an entry's first `n` names as keys are looked up: "patches" for patches.NAME.
+std::string table_of(const Entry& entry, std::size_t n) {
+  if (entry.path.front() == kPatches && n == 2) return std::string(kPatches);
+  return join(std::span(entry.path).first(n));
+}
+
+/// Refuses an entry of which a table is none: a mistyped one, or a mistyped key with a table behind it.
 [[noreturn]] void reject_unknown_table(const Entry& entry) {
+  std::size_t n = 0;
+  while (n + 1 < entry.path.size() && (is_table_name(table_of(entry, n + 1)))) ++n;
+  const std::string& wrong = entry.path[n];
+  const std::string name = name_of(std::span(entry.path).first(n + 1));
   std::vector<std::string> tables;
   for (const auto table : case_tables()) {
     if (!table.empty()) tables.emplace_back(table);
   }
-  const std::string near = nearest(name_of(entry), tables);
-  throw InputError(fmt::format(
-      "{}: {}: unknown table{}", entry.key_place, name_of(entry),
-      near.empty() ? fmt::format("; tables are {}", fmt::join(tables, ", ")) : fmt::format("; nearest: [{}]", near)));
+  if (const std::string near = nearest(name, tables); !near.empty() && near != name) {
+    throw InputError(fmt::format("{}: {}: unknown table; nearest: [{}]", entry.key_place, name, near));
+  }
+  if (n == 0) {
+    throw InputError(
+        fmt::format("{}: {}: unknown table; tables are {}", entry.key_place, name, fmt::join(tables, ", ")));
+  }
+  const std::string table = table_of(entry, n);
+  const Key* key = find_key(table, wrong);
+  if (!key && table == kPatches) key = find_key("layers", wrong);
+  if (key) {
+    throw InputError(fmt::format("{}: {}: expected {}, found a table", entry.key_place, name, allowed(*key)));
+  }
+  throw InputError(fmt::format("{}: {}: unknown key{}", entry.key_place, name, advice(table, wrong)));
 }
 
 PatchRule& rule_for(Case& settings, const Entry& entry) {

@@ -2,9 +2,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/io/surface_reader.h"
 #include "nearwall/layers/isotropic.h"
+#include "pipeline/case_document.h"
 #include "pipeline/case_patches.h"
 #include "pipeline/length_warnings.h"
 #include "pipeline/patch_schedules.h"
@@ -89,7 +92,27 @@ std::vector<Taken> taken_by(const LayerSettings& layers) {
       place_of(settings, layers), title(patch), taken.key, value, taken.length.array, v.index(), p.x(), p.y(), p.z()));
 }
 
+/// The keys that take a length from an array, each with its place: "case.toml:4:1: layers.first_height".
+std::vector<std::string> users_of(const Case& settings, const std::string& array) {
+  std::vector<std::string> users;
+  const auto add = [&](const LayerSettings& layers, const std::string& table) {
+    for (const Taken& taken : taken_by(layers)) {
+      if (taken.length.array == array)
+        users.push_back(fmt::format("{}: {}.{}", place_of(settings, layers), table, taken.key));
+    }
+  };
+  add(settings.layers, "layers");
+  for (const PatchRule& rule : settings.patches) add(rule.layers, fmt::format("patches.{}", quoted_key(rule.pattern)));
+  return users;
+}
+
 }  // namespace
+
+mesh::SurfaceMesh pipeline::read_with_lengths(const Case& settings) try {
+  return io::read_surface(settings.surface_path(), point_arrays(settings));
+} catch (const io::PointArrayMissing& missing) {
+  throw InputError(fmt::format("{}: {}", fmt::join(users_of(settings, missing.array), "; "), missing.what()));
+}
 
 std::vector<std::string> point_arrays(const Case& settings) {
   std::vector<std::string> names;

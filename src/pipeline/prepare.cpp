@@ -1,16 +1,15 @@
 #include "pipeline/prepare.h"
 
 #include "nearwall/geometry/angles.h"
-#include "nearwall/io/surface_reader.h"
 #include "nearwall/surface/weld.h"
+#include "pipeline/case_patches.h"
 #include "pipeline/domain.h"
 #include "pipeline/stage_clock.h"
 
 namespace nearwall::pipeline {
 
 mesh::SurfaceMesh read_wall(const Case& settings, ProgressSink& progress, std::size_t* n_read) {
-  mesh::SurfaceMesh surface =
-      staged(progress, "reading", [&] { return io::read_surface(settings.surface_path(), point_arrays(settings)); });
+  mesh::SurfaceMesh surface = staged(progress, "reading", [&] { return read_with_lengths(settings); });
   if (n_read) *n_read = surface.points.size();
   check_point_arrays(settings, surface);
   if (settings.surface.scale != 1) {

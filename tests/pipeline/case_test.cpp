@@ -13,6 +13,7 @@
 namespace nearwall {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -67,7 +68,14 @@ TEST(ReadCase, NeedsOnlyTheSurfaceAndTheHeights) {
   EXPECT_TRUE(c.output.pictures);
   EXPECT_EQ(rejection("[layers]\nfirst_height = 1\n"),
             "dir/case.toml: surface.file: missing: the surface to mesh, relative to this file");
-  EXPECT_THAT(rejection("[surface]\nfile = \"a.stl\"\n"), HasSubstr("layers: the heights are missing"));
+  EXPECT_EQ(rejection("[surface]\nfile = \"a.stl\"\n"),
+            "dir/case.toml: layers: the heights are missing: give first_height (or y_plus with [flow]) or "
+            "total_thickness");
+  for (const char* until : {"[layers]\nuntil = \"isotropic\"\n", "[patches.wing]\nuntil = \"isotropic\"\n"}) {
+    EXPECT_THAT(rejection(std::string("[surface]\nfile = \"a.stl\"\n") + until),
+                EndsWith("the heights are missing: give first_height (or y_plus with [flow]), which until = "
+                         "\"isotropic\" needs"));
+  }
 }
 
 TEST(ReadCase, ReadsEveryKeyOfTheFormat) {
@@ -216,6 +224,15 @@ INSTANTIATE_TEST_SUITE_P(
          "dir/case.toml:4:1: layers: any three of first_height, growth, count and total_thickness determine the "
          "fourth; "
          "leave out one"},
+        {"MistypedLengthFromAnArray", "totl_thickness = { array = \"T\" }\n",
+         "dir/case.toml:5:1: layers.totl_thickness: unknown key; nearest: total_thickness"},
+        {"MistypedLengthOfAPatch", "[patches.\"w*\".totl_thickness]\narray = \"T\"\n",
+         "dir/case.toml:5:15: patches.\"w*\".totl_thickness: unknown key; nearest: total_thickness"},
+        {"MistypedFarField", "[volume]\nfarfeld.radius = 3\n",
+         "dir/case.toml:6:1: volume.farfeld: unknown table; nearest: [volume.farfield]"},
+        {"UnknownTable", "[turbulence]\nx = 1\n",
+         "dir/case.toml:5:2: turbulence: unknown table; tables are surface, patches, features, normals, smoothing, "
+         "layers, flow, volume, volume.farfield, output"},
         {"LevelStep", "max_level_step = 0\n",
          "dir/case.toml:5:18: layers.max_level_step: expected an integer from 1 to 1000 (layers) or \"auto\", found 0"},
         {"Fill", "[volume]\nfill = \"tetgne\"\n",
@@ -424,6 +441,13 @@ TEST(Overrides, AreNamedWhenWrong) {
   EXPECT_THAT(rejection(kLeast, {"layers.count=0"}),
               StartsWith("--set layers.count=0: layers.count: expected an integer"));
   EXPECT_THAT(rejection(kLeast, {"count"}), HasSubstr("expected KEY=VALUE"));
+  EXPECT_EQ(rejection(kLeast, {"layers.frist_height.array=H"}),
+            "--set layers.frist_height.array=H: layers.frist_height: unknown key; nearest: first_height");
+  EXPECT_EQ(rejection(kLeast, {"layers.growth.array=G"}),
+            "--set layers.growth.array=G: layers.growth: expected a number from 1 to 2, found a table");
+  EXPECT_EQ(rejection(kLeast, {"patches.wing.frist_height={array=\"H\"}"}),
+            "--set patches.wing.frist_height={array=\"H\"}: patches.wing.frist_height: unknown key; nearest: "
+            "first_height");
 }
 
 TEST(ResolvePatches, TakesFromLayersWhatThePatchDoesNotGive) {
@@ -459,7 +483,7 @@ TEST(ResolvePatches, RejectsANameThatNoPatchHas) {
             "dir/case.toml:5:10: patches.wnig: no patch of the surface has this name; nearest: \"wing\"");
   EXPECT_EQ(
       patch_rejection(kLeast + "[patches.\"q*\"]\ntype = \"nolayer\"\n", {"wing", "body"}),
-      "dir/case.toml:5:10: patches.q*: no patch of the surface has this name; its patches are \"wing\", \"body\"");
+      "dir/case.toml:5:10: patches.\"q*\": no patch of the surface has this name; its patches are \"wing\", \"body\"");
 }
 
 TEST(ResolvePatches, NamesThePatchOfAnImpossibleSchedule) {

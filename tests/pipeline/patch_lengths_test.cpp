@@ -333,14 +333,16 @@ TEST(LengthsOfPatches, AreNumbersOfTheirOwn) {
   }
 }
 
-TEST_F(RunWithLengths, SaysWhatTheFileDoesNotHave) {
-  const auto running = [&](const std::string& array) {
-    return [=, this] {
-      run_case("[surface]\nfile = \"ball.vtp\"\n[layers]\nfirst_height = { array = \"" + array + "\" }\n");
-    };
+TEST_F(RunWithLengths, SaysWhatTheFileDoesNotHaveAndWhoAsksForIt) {
+  const auto running = [&](const std::string& layers) {
+    return [=, this] { run_case("[surface]\nfile = \"ball.vtp\"\n[layers]\n" + layers); };
   };
-  EXPECT_THAT(running("HH"),
-              ThrowsMessage<InputError>(AllOf(HasSubstr("no point array \"HH\""), HasSubstr("nearest: \"H\""))));
+  EXPECT_THAT(
+      running("first_height = { array = \"HH\" }\n"),
+      ThrowsMessage<InputError>(AllOf(StartsWith((folder_ / "case.toml").string() + ":4:1: layers.first_height: "),
+                                      HasSubstr("ball.vtp: no point array \"HH\""), HasSubstr("nearest: \"H\""))));
+  EXPECT_THAT(running("first_height = 1e-3\n[patches.\"s*\"]\ngrowth = 1.1\ntotal_thickness = { array = \"TT\" }\n"),
+              ThrowsMessage<InputError>(HasSubstr("case.toml:6:1: patches.\"s*\".total_thickness: ")));
 }
 
 TEST_F(RunWithLengths, WarnInTheReport) {
