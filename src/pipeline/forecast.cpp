@@ -44,10 +44,12 @@ Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings
                   const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces,
                   const IdVector<VertexId, Level>& asked_levels) {
   Forecast f;
-  f.box = geometry::bounding_box(wall.points.raw());
   IdVector<VertexId, Level> levels(wall.points.size(), 0);
   for (const FaceId face : wall.faces.ids()) {
     const PatchSettings& patch = patches[wall.face_patch[face].index()];
+    if (!is_side(patch.type)) {
+      for (const VertexId v : wall.faces[face]) f.box.include(wall.points[v]);
+    }
     if (patch.type != PatchType::Wall || !is_wetted[face]) continue;
     const Level count = static_cast<Level>(patch.schedule.count);
     f.largest_count = std::max(f.largest_count, count);

@@ -150,16 +150,26 @@ constexpr std::array<Measure, 5> kMeasures = {
      {"Aspect ratio", "", &quality::LayerQuality::aspect_ratio},
      {"Volume ratio of successive cells", "", &quality::LayerQuality::volume_ratio}}};
 
+void add_measure(const char* name, const char* unit, const quality::Statistics& s, std::string& rows,
+                 std::string& charts) {
+  if (s.count == 0) return;
+  rows += fmt::format("<tr><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>", name,
+                      *unit ? fmt::format(" [{}]", unit) : "", shown(s.min), shown(s.p01), shown(s.median),
+                      shown(s.p99), shown(s.max), shown(s.mean));
+  charts += fmt::format("<div><h3>{}</h3>{}</div>", name, histogram(s, unit));
+}
+
+void add_fill_rows(const volume::FillQuality& q, std::string& rows, std::string& charts) {
+  add_measure("Smallest dihedral angle of tetrahedra", "deg", q.smallest_dihedral, rows, charts);
+  add_measure("Circumradius over shortest edge of tetrahedra", "", q.radius_edge, rows, charts);
+  add_measure("Size ratio of neighbouring tetrahedra", "", q.size_ratio, rows, charts);
+  add_measure("First tetrahedron over last layer", "", q.interface_ratio, rows, charts);
+}
+
 std::string quality_of(const Report& report) {
   std::string rows, charts;
-  for (const Measure& m : kMeasures) {
-    const quality::Statistics& s = report.quality.*m.statistics;
-    if (s.count == 0) continue;
-    rows += fmt::format("<tr><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-                        m.name, *m.unit ? fmt::format(" [{}]", m.unit) : "", shown(s.min), shown(s.p01),
-                        shown(s.median), shown(s.p99), shown(s.max), shown(s.mean));
-    charts += fmt::format("<div><h3>{}</h3>{}</div>", m.name, histogram(s, m.unit));
-  }
+  for (const Measure& m : kMeasures) add_measure(m.name, m.unit, report.quality.*m.statistics, rows, charts);
+  if (report.volume) add_fill_rows(report.volume->quality, rows, charts);
   for (const PatchReport& patch : report.patches) {
     if (!is_wall(patch) || report.patches.size() > 6) continue;
     charts += fmt::format("<div><h3>First height on {}</h3>{}</div>", escaped_markup(patch.name),
@@ -191,6 +201,13 @@ std::string certificate_of(const Report& report) {
   out += entry("components covered twice", shown_count(c.n_covered_twice));
   out += entry("volume of the cells", shown(c.cells_volume, 8));
   out += entry("volume between wall and front", shown(c.enclosed_volume, 8));
+  if (report.volume) {
+    const volume::DomainCertificate& d = report.volume->certificate;
+    out += entry("faces on planes turned over", shown_count(d.n_bad_side_faces));
+    out += entry("volume of all cells", shown(d.cells_volume, 8));
+    out += entry("volume of the domain", shown(d.enclosed_volume, 8));
+  }
+  if (!report.volume_failure.empty()) out += entry("volume", escaped_markup("not filled: " + report.volume_failure));
   out += entry("rounds of certify and shrink", std::to_string(report.rounds));
   out += "</dl></div><div><h2>Surface</h2><dl>";
   out += entry("points, triangles", fmt::format("{}, {}", shown_count(s.points), shown_count(s.triangles)));

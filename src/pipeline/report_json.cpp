@@ -144,6 +144,34 @@ Json certificate_json(const certify::Certificate& c) {
           {"covered_twice", c.n_covered_twice}};
 }
 
+/// Of the whole mesh; without a fill, of the layers.
+Json volume_json(const Report& report) {
+  if (!report.volume) {
+    return {{"cells", report.certificate.cells_volume},
+            {"domain", report.certificate.enclosed_volume},
+            {"closure", report.certificate.closure()}};
+  }
+  const VolumeReport& v = *report.volume;
+  Json json = {{"cells", v.certificate.cells_volume},
+               {"domain", v.certificate.enclosed_volume},
+               {"closure", v.certificate.closure()},
+               {"layers", report.certificate.cells_volume},
+               {"tetrahedra", v.tetrahedra},
+               {"quality",
+                {{"smallest_dihedral", statistics_json(v.quality.smallest_dihedral)},
+                 {"radius_edge", statistics_json(v.quality.radius_edge)},
+                 {"size_ratio", statistics_json(v.quality.size_ratio)},
+                 {"interface_ratio", statistics_json(v.quality.interface_ratio)}}}};
+  json["boundary"] = Json::object();
+  for (std::size_t p = 0; p < v.boundary.size(); ++p) {
+    const BoundaryPatch& patch = v.boundary[p];
+    if (patch.triangles + patch.quads == 0) continue;
+    json["boundary"][report.patches[p].name] = {
+        {"triangles", patch.triangles}, {"quads", patch.quads}, {"area", patch.area}};
+  }
+  return json;
+}
+
 /// Keys of one table that have a value; tables of tables are nested.
 void add_value(Json& to, const Key& key, const CaseValue& value) {
   if (std::holds_alternative<std::monostate>(value)) return;
@@ -205,9 +233,8 @@ std::string to_json(const Report& report) {
     json["is_short_of_coverage"] = report.is_short_of_coverage();
     json["quality"] = quality_json(report.quality);
     json["certificate"] = certificate_json(report.certificate);
-    json["volume"] = {{"cells", report.certificate.cells_volume},
-                      {"domain", report.certificate.enclosed_volume},
-                      {"closure", report.certificate.closure()}};
+    json["volume"] = volume_json(report);
+    if (!report.volume_failure.empty()) json["volume_failure"] = report.volume_failure;
     json["rounds"] = report.rounds;
     json["smoothing_iterations"] = report.smoothing_iterations;
   }

@@ -44,6 +44,16 @@ bool make_picture(const io::PictureRequest& request, ProgressSink& progress) {
 
 }  // namespace
 
+/// Walls and what is beside them, without far fields and openings: these would hide what matters. Empty: all.
+IdVector<FaceId, char> faces_of_bodies(const Prepared& prepared) {
+  const mesh::SurfaceMesh& surface = prepared.surface();
+  const auto types = patch_types(prepared.settings, surface.patch_names.raw());
+  IdVector<FaceId, char> is_shown;
+  for (const PatchId patch : surface.face_patch) is_shown.push_back(is_side(types[patch.index()]) ? 0 : 1);
+  const bool is_all = std::find(is_shown.begin(), is_shown.end(), 0) == is_shown.end();
+  return is_all ? IdVector<FaceId, char>() : is_shown;
+}
+
 void LayersOfInput::read_cells(std::size_t batch, mesh::CellBatch& out) const {
   source_.read_cells(batch, out);
   for (std::int64_t& column : out.column) {
@@ -54,11 +64,12 @@ void LayersOfInput::read_cells(std::size_t batch, mesh::CellBatch& out) const {
 void write_meshes(const Result& result, const mesh::MeshSource& mesh, const std::string& mesh_file,
                   const std::string& name, OutputDirectory& output, ProgressSink& progress) {
   progress.begin_stage("writing");
+  const IdVector<FaceId, char> is_shown = faces_of_bodies(result.prepared);
   const io::CellArray extra[] = {scaled_jacobians()};
   io::write_vtu(output.aside(mesh_file), mesh, extra, {result.wall.surface.patch_names.raw()}, &progress);
   io::write_polydata(output.aside(name + "-surface.vtp"),
-                     surface_file(result.wall, result.growth, result.coverage, result.prepared.input_face));
-  io::write_polydata(output.aside(name + "-front.vtp"), front_file(result.wall, result.growth));
+                     surface_file(result.wall, result.growth, result.coverage, result.prepared.input_face, is_shown));
+  io::write_polydata(output.aside(name + "-front.vtp"), front_file(result.wall, result.growth, is_shown));
   progress.end_stage();
 }
 

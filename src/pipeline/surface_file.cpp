@@ -92,11 +92,58 @@ void add_ridges(const layers::Wall& wall, io::PolyDataFile& file) {
   file.line_data.push_back({"Turn", std::move(turns)});
 }
 
+/// The tuples that are kept, of an array of any type.
+void keep(io::DataArray& array, const std::vector<char>& is_kept) {
+  std::visit(
+      [&](auto& values) {
+        const auto n = static_cast<std::size_t>(array.components);
+        std::size_t to = 0;
+        for (std::size_t i = 0; i < is_kept.size(); ++i) {
+          for (std::size_t c = 0; is_kept[i] && c < n; ++c) values[to++] = values[n * i + c];
+        }
+        values.resize(to);
+      },
+      array.values);
+}
+
+template <std::size_t N>
+void keep(std::vector<std::array<std::uint32_t, N>>& cells, std::vector<io::DataArray>& data,
+          const std::vector<char>& is_kept, const std::vector<std::uint32_t>& number) {
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!is_kept[i]) continue;
+    for (std::size_t k = 0; k < N; ++k) cells[to][k] = number[cells[i][k]];
+    ++to;
+  }
+  cells.resize(to);
+  for (io::DataArray& array : data) keep(array, is_kept);
+}
+
+/// Drops triangles, the points that nothing has then, and the lines between such points.
+void keep_triangles(const std::vector<char>& is_kept, io::PolyDataFile& file) {
+  std::vector<char> has_point(file.points.size(), 0), has_line;
+  for (std::size_t t = 0; t < is_kept.size(); ++t) {
+    for (const std::uint32_t p : file.triangles[t]) has_point[p] |= is_kept[t];
+  }
+  for (const auto& [a, b] : file.lines) has_line.push_back(has_point[a] && has_point[b] ? 1 : 0);
+  std::vector<std::uint32_t> number(file.points.size(), 0);
+  std::uint32_t n = 0;
+  for (std::size_t p = 0; p < number.size(); ++p) {
+    if (!has_point[p]) continue;
+    file.points[n] = file.points[p];
+    number[p] = n++;
+  }
+  file.points.resize(n);
+  keep(file.triangles, file.triangle_data, is_kept, number);
+  keep(file.lines, file.line_data, has_line, number);
+  for (io::DataArray& array : file.point_data) keep(array, has_point);
+}
+
 }  // namespace
 
 io::PolyDataFile surface_file(const layers::Wall& wall, const layers::Growth& growth,
                               const IdVector<FaceId, quality::FaceCoverage>& coverage,
-                              const IdVector<FaceId, FaceId>& input_face) {
+                              const IdVector<FaceId, FaceId>& input_face, const IdVector<FaceId, char>& is_shown) {
   io::PolyDataFile file = io::polydata_of(wall.surface);
   add_point_arrays(wall, growth, file);
   const auto faces = wall.surface.faces.ids();
@@ -105,10 +152,12 @@ io::PolyDataFile surface_file(const layers::Wall& wall, const layers::Growth& gr
   file.triangle_data.push_back({"FirstHeight", values(faces, [&](FaceId f) { return coverage[f].first_height; })});
   file.triangle_data.push_back({"Triangle", values(faces, [&](FaceId f) { return to_int(input_face[f].index()); })});
   add_ridges(wall, file);
+  if (!is_shown.empty()) keep_triangles(is_shown.raw(), file);
   return file;
 }
 
-io::PolyDataFile front_file(const layers::Wall& wall, const layers::Growth& growth) {
+io::PolyDataFile front_file(const layers::Wall& wall, const layers::Growth& growth,
+                            const IdVector<FaceId, char>& is_shown) {
   const mesh::Front& front = growth.front;
   certify::FrontSurface surface = certify::front_surface(front, growth.lines);
   io::PolyDataFile file;
@@ -138,6 +187,10 @@ io::PolyDataFile front_file(const layers::Wall& wall, const layers::Growth& grow
   thickness.resize(file.points.size(), std::numeric_limits<double>::quiet_NaN());
   file.point_data.push_back({"Levels", std::move(levels)});
   file.point_data.push_back({"Thickness", std::move(thickness)});
+  if (is_shown.empty()) return file;
+  std::vector<char> is_kept;
+  for (const FrontFaceId f : surface.face) is_kept.push_back(is_shown[wall_face(f)]);
+  keep_triangles(is_kept, file);
   return file;
 }
 

@@ -22,6 +22,9 @@ constexpr double kFlatness = 1e-5;
 /// … or over the largest coordinate: four roundings to single precision.
 constexpr double kFloatRounding = 0x1p-22;
 
+/// Distance from the origin over the extent below which a plane goes through it.
+constexpr double kRounding = 0x1p-40;
+
 struct SideEdge {
   std::uint32_t low, high;
   FaceId face;
@@ -119,14 +122,16 @@ double farthest(const mesh::SurfaceMesh& surface, const std::vector<VertexId>& v
 
 /// The plane normal to an axis through the middle one of the coordinates: nearly all are the same, as a rule.
 mesh::SidePlane axis_plane(const mesh::SurfaceMesh& surface, const std::vector<VertexId>& vertices, int axis,
-                           bool is_positive) {
+                           bool is_positive, double extent) {
   std::vector<double> coordinates;
   for (const VertexId v : vertices) coordinates.push_back(surface.points[v][axis]);
   const auto middle = coordinates.begin() + static_cast<std::ptrdiff_t>(coordinates.size() / 2);
   std::nth_element(coordinates.begin(), middle, coordinates.end());
+  // A plane through the origin that was rounded on its way here goes through it again.
+  const double at = std::abs(*middle) <= kRounding * extent ? 0.0 : *middle;
   mesh::SidePlane plane;
   plane.normal[axis] = is_positive ? 1 : -1;
-  plane.offset = is_positive ? *middle : -*middle;
+  plane.offset = is_positive ? at : -at;
   plane.axis = axis;
   return plane;
 }
@@ -146,7 +151,7 @@ void fit_plane(const mesh::SurfaceMesh& surface, SideRegion& region) {
   const double tolerance =
       std::max(kFlatness * box.diagonal(), kFloatRounding * std::max(max_norm(box.low), max_norm(box.high)));
   for (int axis = 0; axis < 3; ++axis) {
-    region.plane = axis_plane(surface, vertices, axis, normal[axis] > 0);
+    region.plane = axis_plane(surface, vertices, axis, normal[axis] > 0, box.diagonal());
     region.off_plane = farthest(surface, vertices, region.plane);
     region.is_flat = region.off_plane <= tolerance;
     if (region.is_flat) return;
