@@ -80,26 +80,48 @@ double SizeField::lower_bound(const Node& node, const Vec3& x) const {
 
 double SizeField::at(const Vec3& x) const {
   double best = largest_;
+  search(
+      x, [&best](double bound) { return bound * kTolerance < best; },
+      [&best](double size) {
+        best = std::min(best, size);
+        return true;
+      });
+  return best;
+}
+
+bool SizeField::is_under(const Vec3& x, double limit) const {
+  if (largest_ < limit) return true;
+  bool is_found = false;
+  search(
+      x, [&](double bound) { return bound < limit; },
+      [&](double size) {
+        is_found = size < limit;
+        return !is_found;
+      });
+  return is_found;
+}
+
+template <class Worth, class Take>
+void SizeField::search(const Vec3& x, Worth&& is_worth, Take&& take) const {
   std::pair<std::uint32_t, double> waiting[kDeepest];
   int n_waiting = 0;
   waiting[n_waiting++] = {0, lower_bound(nodes_[0], x)};
   while (n_waiting > 0) {
     const auto [number, bound] = waiting[--n_waiting];
-    if (bound * kTolerance >= best) continue;
+    if (!is_worth(bound)) continue;
     const Node& node = nodes_[number];
     if (node.second == 0) {
       for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        best = std::min(best, sources_[i].size + slope_ * distance(sources_[i].point, x));
+        if (!take(sources_[i].size + slope_ * distance(sources_[i].point, x))) return;
       }
       continue;
     }
     std::pair<std::uint32_t, double> near{number + 1, lower_bound(nodes_[number + 1], x)};
     std::pair<std::uint32_t, double> far{node.second, lower_bound(nodes_[node.second], x)};
     if (far.second < near.second) std::swap(near, far);
-    waiting[n_waiting++] = far;
+    if (is_worth(far.second)) waiting[n_waiting++] = far;
     waiting[n_waiting++] = near;
   }
-  return best;
 }
 
 }  // namespace nearwall::volume

@@ -29,7 +29,8 @@ class SizeField {
   /// Cost: O(log n_sources).
   double at(const Vec3& x) const;
 
-  double slope() const { return slope_; }
+  /// Whether the value is less than a limit: exactly, and quicker than `at`.
+  bool is_under(const Vec3& x, double limit) const;
 
  private:
   /// Sources [begin, end): a box round them and the least of their sizes.
@@ -41,6 +42,9 @@ class SizeField {
   };
 
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  /// Calls `take(size)` for sources of the parts of the tree whose least size `is_worth` it, till it returns false.
+  template <class Worth, class Take>
+  void search(const Vec3& x, Worth&& is_worth, Take&& take) const;
   double lower_bound(const Node& node, const Vec3& x) const;
 
   std::vector<SizeSource> sources_;

@@ -36,6 +36,7 @@ enum class TetgenExit {
   CloseFacets = 5,
   Input = 10,
   NothingInside = 20,  ///< no tetrahedra, and no word about it
+  Endless = 22,        ///< the boundary could not be recovered in bounded work
   Exchange = 21,       ///< could not read or write
 };
 

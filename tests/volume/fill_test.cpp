@@ -269,6 +269,31 @@ TEST_F(FillWithTetgen, BelievesNoEmptyResult) {
   EXPECT_THROW(fill_with_tetgen(region(shapes_::cube(1))), BackendError);
 }
 
+TEST_F(FillWithTetgen, NamesTheTrianglesThatTetgenNames) {
+  const FillBoundary boundary = region(shapes_::cube(1));
+  const auto [a, b, c] = boundary.triangles[5];
+  const auto [d, e, f] = boundary.triangles[2];
+  const ScriptedHelper helper("echo '  1st: [" + std::to_string(b) + ", " + std::to_string(a) + ", " +
+                              std::to_string(c) + "] #1' >&2; echo '  2nd: [" + std::to_string(f) + "," +
+                              std::to_string(e) + ", " + std::to_string(d) + "] #2' >&2; exit 3");
+  const FillFailed failure = failure_of(boundary);
+  EXPECT_THAT(failure.triangles, ::testing::ElementsAre(2, 5));
+  EXPECT_THAT(failure.what(), ::testing::HasSubstr("too close"));
+}
+
+TEST_F(FillWithTetgen, TriesAnotherOrderWhereTetgenCrashes) {
+  const FillBoundary boundary = region(shapes_::sphere(2, 5), {shapes_::sphere(3)});
+  const std::string program = NEARWALL_TETGEN_PROGRAM;
+  // exec keeps the process, whose parent must be this one.
+  const ScriptedHelper helper("if [ $2 = 0 ]; then kill -SEGV $$; fi; exec " + program + " $1 $2");
+  expect_fill(boundary, fill_with_tetgen(boundary));
+}
+
+TEST_F(FillWithTetgen, FillsRoundDetailsFarSmallerThanTheWhole) {
+  const FillBoundary boundary = region(shapes_::sphere(1, 100), {shapes_::sphere(2, 1e-9, {1e-8, 0, 0})});
+  expect_fill(boundary, fill_with_tetgen(boundary));
+}
+
 /// Interrupts at the first sign of life after the helper has said its name.
 class InterruptingSink : public ProgressSink {
  public:
