@@ -1,6 +1,9 @@
 #include "nearwall/mesh/topology.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +40,35 @@ TEST(Topology, StartsTheFanOfABoundaryVertexAtTheBoundary) {
   ASSERT_EQ(topology.fan(VertexId(0)).size(), 2u);
   EXPECT_EQ(topology.target(topology.fan(VertexId(0))[0]), VertexId(1));
   EXPECT_EQ(topology.target(topology.fan(VertexId(0))[1]), VertexId(2));
+}
+
+TEST(Topology, NamesTheSpokesOfAVertexCounterclockwise) {
+  const SurfaceMesh plate = shapes_for_tests::plate(3);
+  const Topology topology(plate);
+  for (const VertexId v : plate.points.ids()) {
+    std::set<VertexId> expected, found;
+    for (const auto& f : plate.faces) {
+      if (std::find(f.begin(), f.end(), v) != f.end()) expected.insert(f.begin(), f.end());
+    }
+    expected.erase(v);
+    std::vector<double> angles;
+    topology.for_each_spoke(v, [&](VertexId w, FaceId f) {
+      EXPECT_TRUE(found.insert(w).second) << "each once";
+      const auto& corners = plate.faces[f];
+      EXPECT_NE(std::find(corners.begin(), corners.end(), v), corners.end());
+      EXPECT_NE(std::find(corners.begin(), corners.end(), w), corners.end());
+      const Vec3 way = plate.points[w] - plate.points[v];
+      angles.push_back(std::atan2(way.y(), way.x()));
+    });
+    EXPECT_EQ(found, expected);
+    const auto is_less = [&](std::size_t k) { return angles[(k + 1) % angles.size()] < angles[k]; };
+    int n_jumps = 0;
+    for (std::size_t k = 0; k < angles.size(); ++k) n_jumps += is_less(k);
+    EXPECT_EQ(n_jumps, 1) << "counterclockwise once round";
+    std::set<VertexId> neighbours;
+    topology.for_each_neighbour(v, [&](VertexId w) { neighbours.insert(w); });
+    EXPECT_EQ(neighbours, expected);
+  }
 }
 
 TEST(Topology, RefusesAnEdgeWithThreeTriangles) {
