@@ -34,9 +34,9 @@ void terminatetetgen(tetgenmesh*, int code) {
 
 namespace {
 
-/// Calls of orient3d that TetGen may make for each point of the boundary before it begins to refine. It needs some
-/// hundreds, and where it goes round in circles while it recovers an edge it would make them for ever.
-constexpr std::uint64_t kCallsPerPoint = 50000;
+/// Calls of orient3d that TetGen may make for each point of the boundary before it begins to refine. It needs 30 to
+/// 250, and where it goes round in circles while it recovers an edge it would make them for ever.
+constexpr std::uint64_t kCallsPerPoint = 5000;
 std::uint64_t calls_left = 0;
 bool is_refining = false;
 

@@ -120,6 +120,8 @@ std::vector<Region> regions() {
        }},
       {"InsideOfATorus", [] { return region(shape("torus", {}, 0.2)); }},
       {"OutsideOfATorus", [] { return region(cube(4), {shape("torus", {}, 0.2)}); }},
+      // TetGen goes round in circles on it where the points come in this order.
+      {"InsideOfAnOmniSaddle", [] { return region(shape("omni-saddle", {}, 0.5)); }},
       {"TwoRegions",
        [] {
          FillBoundary boundary = region(sphere(2));

@@ -49,7 +49,7 @@ class FillFailed : public BackendError {
 /// \throws InputError  an option out of its range, a coordinate that is not finite, or an index out of range
 /// \throws FillFailed  the boundary is open, crosses itself, does not bound a region, or TetGen fails on it
 /// \throws BackendError  the program is missing, crashed or was killed
-/// Cost: seconds a million tetrahedra as in docs/theory/fill.md. Source: docs/theory/fill.md; H. Si, TetGen 1.5.
+/// Cost: 3 to 12 s a million tetrahedra (docs/theory/fill.md). Source: docs/theory/fill.md; si2015.
 Fill fill_with_tetgen(const FillBoundary& boundary, const FillOptions& options = {},
                       ProgressSink& progress = silent_progress());
 
