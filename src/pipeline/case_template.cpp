@@ -18,7 +18,7 @@ using namespace pipeline;
 constexpr double kProposedFirstHeight = 1e-5;
 constexpr double kProposedThickness = 0.01;
 constexpr std::size_t kCommentColumn = 34;
-constexpr std::size_t kMostPatchesShown = 20;
+constexpr std::size_t kMostNamesShown = 20;
 
 /// Two significant digits: a figure that a person would type.
 double rounded(double value) {
@@ -93,9 +93,19 @@ std::string describe(const SurfaceFacts& f) {
 std::string patch_hints(const std::optional<SurfaceFacts>& facts) {
   if (!facts) return "# [patches.NAME]                   # one patch alone: type, and keys of [layers]\n";
   std::string out;
-  const std::size_t n = std::min(facts->patch_names.size(), kMostPatchesShown);
+  const std::size_t n = std::min(facts->patch_names.size(), kMostNamesShown);
   for (std::size_t i = 0; i < n; ++i) out += fmt::format("# [patches.{}]\n", toml_text(facts->patch_names[i]));
   if (n < facts->patch_names.size()) out += fmt::format("# … and {} more\n", facts->patch_names.size() - n);
+  return out;
+}
+
+/// What the surface has to take lengths from.
+std::string array_hints(const std::optional<SurfaceFacts>& facts) {
+  if (!facts || facts->point_arrays.empty()) return "";
+  std::string out = line("# first_height = { array = \"NAME\" }", "or one of the surface's point arrays:");
+  const std::size_t n = std::min(facts->point_arrays.size(), kMostNamesShown);
+  for (std::size_t i = 0; i < n; ++i) out += fmt::format("#   {}\n", toml_text(facts->point_arrays[i]));
+  if (n < facts->point_arrays.size()) out += fmt::format("#   … and {} more\n", facts->point_arrays.size() - n);
   return out;
 }
 
@@ -130,7 +140,9 @@ std::string case_template(const std::optional<SurfaceFacts>& facts) {
   for (const auto table : case_tables()) {
     std::string lines;
     for (const Key& key : case_keys()) {
-      if (key.table == table) lines += key_line(key, proposal);
+      if (key.table != table) continue;
+      lines += key_line(key, proposal);
+      if (key.name == "first_height") lines += array_hints(facts);
     }
     if (lines.empty()) continue;
     out += header_of(table) + lines;

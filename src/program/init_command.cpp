@@ -33,7 +33,9 @@ std::optional<SurfaceFacts> facts_of(const InitArguments& arguments, Console& co
   if (!arguments.surface) return std::nullopt;
   const fs::path file = *arguments.surface;
   const auto mesh = staged(console, "reading", [&] { return io::read_surface(file); });
-  return surface_facts(arguments.output ? seen_from(*arguments.output, file) : file, mesh);
+  SurfaceFacts facts = surface_facts(arguments.output ? seen_from(*arguments.output, file) : file, mesh);
+  facts.point_arrays = io::point_array_names(file);
+  return facts;
 }
 
 ExitCode run_init(const InitArguments& arguments, Console& console) {

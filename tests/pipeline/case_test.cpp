@@ -15,6 +15,7 @@ namespace {
 
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 const std::string kLeast = "[surface]\nfile = \"wing.stl\"\n[layers]\nfirst_height = 1e-5\n";
@@ -527,6 +528,19 @@ TEST(CaseTemplate, ProposesHeightsThatSuitTheSurface) {
   EXPECT_NEAR(resolve_patches(c, names)[0].schedule.total_thickness, 5, 1);
   EXPECT_THAT(text, HasSubstr("# [patches.\"upper\"]"));
   EXPECT_THAT(text, HasSubstr("diagonal 500"));
+}
+
+TEST(CaseTemplate, ListsThePointArraysOfTheSurface) {
+  SurfaceFacts facts;
+  facts.file = "wing.vtp";
+  EXPECT_THAT(case_template(facts), Not(HasSubstr("array = ")));
+  facts.point_arrays = {"FirstHeight", "a \"b\""};
+  const std::string text = case_template(facts);
+  EXPECT_THAT(text, HasSubstr("# first_height = { array = \"NAME\" } # or one of the surface's point arrays:\n"
+                              "#   \"FirstHeight\"\n#   \"a \\\"b\\\"\"\n"));
+  EXPECT_EQ(parse(text).layers.first_height_array, std::nullopt) << "a comment";
+  facts.point_arrays.assign(50, "A");
+  EXPECT_THAT(case_template(facts), HasSubstr("#   … and 30 more\n"));
 }
 
 TEST(CaseReference, IsWhatThePageSays) {

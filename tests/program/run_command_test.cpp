@@ -213,6 +213,15 @@ TEST(InitCommand, NamesTheSurfaceAsSeenFromTheCase) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
+TEST(InitCommand, ListsThePointArraysOfTheSurface) {
+  Workplace place;
+  place.write_cube("cube.obj");
+  ASSERT_EQ(place.run({"convert", "cube.obj", "cube.vtk"}).exit_code, 0);
+  place.write("cube.vtk",
+              place.read("cube.vtk") + "\nPOINT_DATA 8\nSCALARS H double 1\nLOOKUP_TABLE default\n1 1 1 1 1 1 1 1\n");
+  EXPECT_THAT(place.run({"init", "cube.vtk"}).out, HasSubstr("\n#   \"H\"\n"));
+}
+
 TEST(InitCommand, NeverOverwritesUnasked) {
   Workplace place;
   place.write("case.toml", "mine");

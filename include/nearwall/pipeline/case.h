@@ -210,6 +210,7 @@ struct SurfaceFacts {
   geometry::Box box;
   double mean_edge = 0;  ///< mean length of an edge [length]
   std::vector<std::string> patch_names;
+  std::vector<std::string> point_arrays;  ///< from which lengths may be taken
 };
 
 SurfaceFacts surface_facts(const std::filesystem::path& file, const mesh::SurfaceMesh& surface);
