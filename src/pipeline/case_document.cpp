@@ -36,14 +36,20 @@ std::string as_list(const toml::array& list) {
   return fmt::format("[{}{}]", text, list.size() > kMostItems ? ", …" : "");
 }
 
+constexpr std::size_t kLongest = 60;  ///< bytes of what was found that are shown
+
+std::string quoted(const std::string& text) {
+  if (text.size() <= kLongest) return fmt::format("\"{}\"", text);
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;  // between characters of UTF-8
+  return fmt::format("\"{}…\"", text.substr(0, end));
+}
+
 std::string as_text(const toml::node& node) {
-  constexpr std::size_t kLongest = 60;
   if (node.is_table()) return "a table";
   if (const auto* list = node.as_array(); list && !list->is_array_of_tables()) return as_list(*list);
   if (node.is_array()) return "a list of tables";
-  if (const auto* text = node.as_string(); text && text->get().size() <= kLongest) {
-    return fmt::format("\"{}\"", text->get());
-  }
+  if (const auto* text = node.as_string()) return quoted(text->get());
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&out](const auto& n) {

@@ -323,6 +323,11 @@ TEST(ReadCase, NamesStrayCharactersOutsideOfQuotes) {
   EXPECT_THAT(rejection("\n[= 3\n"), StartsWith("dir/case.toml:2:2: "));
 }
 
+TEST(ReadCase, QuotesLongTextsInPart) {
+  std::string a(59, 'a');
+  EXPECT_THAT(rejection(kLeast + "law = \"" + a + "ü and more\"\n"), HasSubstr("found \"" + a + "…\""));
+}
+
 TEST(ReadCase, WantsAFlowForYPlus) {
   EXPECT_EQ(rejection("[surface]\nfile = \"a.stl\"\n[layers]\ny_plus = 1.0\n[flow]\nvelocity = 1.0\n"),
             "dir/case.toml:4:1: layers: y_plus needs [flow] with velocity, kinematic_viscosity and reference_length; "
