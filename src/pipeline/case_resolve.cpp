@@ -180,8 +180,10 @@ std::vector<PatchSettings> resolve_patches(const Case& settings, const mesh::Sur
     set_schedule(settings, from.layers, name, of_group, patch);
     set_rest(from.layers, patch);
     patch.warnings = length_warnings(patch, of_group, faces[p]);
+    const bool has_others = std::count(group.begin(), group.end(), p) > 1;
     for (std::string& warning : patch.warnings) {
-      warning = fmt::format("{}: {}: {}", place_of(settings, from.layers), name, warning);
+      warning = fmt::format("{}: {}{}: {}", place_of(settings, from.layers), name, has_others ? " and those alike" : "",
+                            warning);
     }
   }
   return patches;

@@ -236,9 +236,12 @@ TEST_F(PatchLengths, WarnWhereLayersEndBeforeTheyAreIsotropic) {
 TEST_F(PatchLengths, WarnOnceForPatchesAlike) {
   mesh::SurfaceMesh box = shapes::make_shape("box", {}, 0.2);
   const Case c = parse("first_height = 1\nuntil = \"isotropic\"\n");
-  std::size_t n = 0;
-  for (const PatchSettings& p : resolve_patches(c, box, mesh::Topology(box))) n += p.warnings.size();
-  EXPECT_EQ(n, 1u);
+  std::vector<std::string> warnings;
+  for (const PatchSettings& p : resolve_patches(c, box, mesh::Topology(box))) {
+    warnings.insert(warnings.end(), p.warnings.begin(), p.warnings.end());
+  }
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr(fmt::format("patch \"{}\" and those alike: ", box.patch_names[PatchId(0)])));
 }
 
 TEST_F(PatchLengths, UntilIsotropicHaveTheCountOfTheWidestTriangles) {
