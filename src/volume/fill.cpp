@@ -169,7 +169,7 @@ class TetgenRuns {
 
 /// \throws what the first attempt ended with, if none of them gives a fill that stands the check
 Fill first_good_fill(const TetgenProblem& problem, ProgressSink& progress) {
-  constexpr int kAttempts = 4;
+  constexpr int kAttempts = 8;
   const TetgenRuns runs(problem, progress);
   std::exception_ptr first;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
