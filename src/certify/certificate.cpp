@@ -83,6 +83,9 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
   result.n_bad_columns = bad_columns(layers.front(), layers.lines()).size();
   progress.update(0.3);
   FrontSurface front = front_surface(layers.front(), layers.lines());
+  if (wall.planes) {
+    result.n_turned_sides = turned_sides(layers.front(), layers.lines(), *wall.planes, front).size();
+  }
   if (wall.planes) result.n_front_intersections = close_front(layers.front(), *wall.planes, front).size();
   if (result.n_front_intersections == 0) result.n_front_intersections = front_intersections(front).size();
   progress.update(0.7);

@@ -108,7 +108,9 @@ class Closer {
     for (std::size_t p = 0; p < traces_.size(); ++p) {
       for (const TraceEdge& edge : traces_[p]) edges[p].push_back(edge.points);
     }
-    const mesh::Seams seams = mesh::find_seams(surface_.points, planes_.planes, edges);
+    const mesh::Seams seams = mesh::find_seams(surface_.points, planes_.planes, edges, planes_.corners);
+    surface_.points.insert(surface_.points.end(), seams.corners.begin(), seams.corners.end());
+    surface_.is_moved.resize(surface_.points.size(), 0);
     for (const std::uint32_t p : seams.loose) blame_point(p);
     for (const mesh::Seam& seam : seams.seams) {
       traces_[seam.first].push_back({seam.ends, FrontFaceId()});

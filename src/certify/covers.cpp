@@ -32,9 +32,20 @@ std::vector<ComponentId> triangle_components(const mesh::Front& front, const Fro
     components[t] =
         front.is_wall(f) ? face_component[FaceId(f.index())] : of_vertex(front.line_vertex[front.faces[f].lines[0]]);
   }
-  // The rest of planes has ends of lines for corners, no apices of caps.
-  for (std::size_t t = surface.face.size(); t < components.size(); ++t) {
-    components[t] = of_vertex(front.line_vertex[LineId(surface.triangles[t][0])]);
+  // The rest of planes has ends of lines for corners, no apices of caps, and corners of the domain; what has none but
+  // these belongs to what else lies on its plane.
+  std::vector<ComponentId> of_plane;
+  const auto n_front = surface.face.size();
+  for (const bool is_first : {true, false}) {
+    for (std::size_t t = n_front; t < components.size(); ++t) {
+      const mesh::PlaneIndex plane = surface.rest_plane[t - n_front];
+      if (of_plane.size() <= plane) of_plane.resize(plane + std::size_t{1});
+      for (const std::uint32_t p : surface.triangles[t]) {
+        if (is_first && p < front.n_lines()) components[t] = of_vertex(front.line_vertex[LineId(p)]);
+      }
+      if (is_first && components[t].is_valid()) of_plane[plane] = components[t];
+      if (!components[t].is_valid()) components[t] = of_plane[plane];
+    }
   }
   return components;
 }
@@ -54,8 +65,9 @@ class Parts {
       for (const std::uint32_t p : surface.triangles[t]) at_point.emplace(p, of_triangle[t].index());
     }
     for (std::size_t t = surface.face.size(); t < surface.triangles.size(); ++t) {
-      const auto& corners = surface.triangles[t];
-      for (std::size_t k = 1; k < 3; ++k) join(at_point.at(corners[0]), at_point.at(corners[k]));
+      for (const std::uint32_t p : surface.triangles[t]) {
+        if (const auto found = at_point.find(p); found != at_point.end()) join(of_triangle[t].index(), found->second);
+      }
     }
   }
 

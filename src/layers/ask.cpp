@@ -148,7 +148,8 @@ VertexField ask(const Wall& wall, const GrowOptions& options, const Stacks& stac
   field.thickness = field.asked;
   field.max_level = field.levels;
   for (const VertexId v : field.asked.ids()) {
-    if (is_at_edge[v.index()] && field.asked[v] > 0) field.lower(v, 0, LimitReason::PatchEdge);
+    const bool is_held = wall.has_planes() && !wall.planes->is_held.empty() && wall.planes->is_held[v];
+    if ((is_at_edge[v.index()] || is_held) && field.asked[v] > 0) field.lower(v, 0, LimitReason::PatchEdge);
   }
   return field;
 }

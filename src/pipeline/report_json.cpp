@@ -140,6 +140,7 @@ Json quality_json(const quality::LayerQuality& q) {
 
 Json certificate_json(const certify::Certificate& c) {
   return {{"columns_not_positive", c.n_bad_columns},
+          {"turned_sides", c.n_turned_sides},
           {"front_intersections", c.n_front_intersections},
           {"covered_twice", c.n_covered_twice}};
 }

@@ -121,10 +121,10 @@ certify::Certificate certify_or_fail(const mesh::LayerMesh& layer_mesh, const la
   const certify::CertifiedWall certified = certified_wall(wall);
   const certify::Certificate c = certify::certify_layers(layer_mesh, certified, progress);
   if (!c.is_valid() || !(c.closure() <= kLargestClosure)) {
-    throw InternalError(
-        fmt::format("the layers could not be certified: {} columns not positive, {} front intersections, {} "
-                    "components covered twice, closure {:.3g}; nothing was written",
-                    c.n_bad_columns, c.n_front_intersections, c.n_covered_twice, c.closure()));
+    throw InternalError(fmt::format(
+        "the layers could not be certified: {} columns not positive, {} sides turned, {} front intersections, {} "
+        "components covered twice, closure {:.3g}; nothing was written",
+        c.n_bad_columns, c.n_turned_sides, c.n_front_intersections, c.n_covered_twice, c.closure()));
   }
   return c;
 }

@@ -6,12 +6,18 @@
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/geometry/angles.h"
+#include "nearwall/geometry/measures.h"
 
 namespace nearwall::surface {
 
 namespace {
 
 constexpr std::uint16_t kNoRegion = 0xffff;
+
+/// Turn from which a concave edge between wall and plane is one on which layers land [rad]: with less, a line in the
+/// plane would lean by more than 60 degrees from the wall's normal.
+constexpr double kLeastConcave = geometry::to_radians(30);
 
 /// An edge of a face of a side, in its direction there.
 struct SideEdge {
@@ -51,6 +57,8 @@ class Opening {
     number_planes(result);
     take_faces(result);
     mark_planes(result);
+    hold_vertices(result);
+    find_corners(result);
     result.notes = notes_;
     return result;
   }
@@ -84,26 +92,38 @@ class Opening {
     return found != edges_.end() && found->from == wanted.from && found->to == wanted.to ? found->region : kNoRegion;
   }
 
-  /// Which regions layers land on.
-  void choose() {
-    std::vector<double> concave(regions_.size(), 0), convex(regions_.size(), 0);
+  /// Calls `body(f, k, region, lands)` for the edges between a face with layers and a region: whether its layers can
+  /// land there, that is whether wall and plane make a concave corner.
+  template <class Body>
+  void for_each_meeting(const Body& body) const {
     for (const FaceId f : closed_.faces.ids()) {
       if (!has_layers(f)) continue;
       const auto& v = closed_.faces[f];
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint16_t r = region_at(v[(k + 1) % 3], v[k]);
         if (r == kNoRegion) continue;
-        const double length = distance(closed_.points[v[k]], closed_.points[v[(k + 1) % 3]]);
-        (planes_[r].height(closed_.points[v[(k + 2) % 3]]) > 0 ? concave : convex)[r] += length;
+        const auto [a, b, c] = closed_.triangle(f);
+        const Vec3 along = closed_.points[v[(k + 1) % 3]] - closed_.points[v[k]];
+        const double turn = geometry::edge_turn(geometry::triangle_normal(a, b, c), planes_[r].normal, along);
+        body(f, k, r, turn < -kLeastConcave);
       }
     }
+  }
+
+  /// Which regions layers land on.
+  void choose() {
+    std::vector<double> concave(regions_.size(), 0), convex(regions_.size(), 0);
+    for_each_meeting([&](FaceId f, std::size_t k, std::uint16_t r, bool lands) {
+      const auto& v = closed_.faces[f];
+      (lands ? concave : convex)[r] += distance(closed_.points[v[k]], closed_.points[v[(k + 1) % 3]]);
+    });
     for (std::uint16_t r = 0; r < regions_.size(); ++r) {
       const SideRegion& region = regions_[r];
       const bool is_needed = is_cut_of_body(region);
       const bool meets_layers = concave[r] + convex[r] > 0;
       if (!region.is_flat && (meets_layers || is_needed)) {
         refuse_uneven(r, is_needed);
-      } else if (is_needed || concave[r] > convex[r]) {
+      } else if (is_needed || concave[r] > 0) {
         lands_[r] = 1;
       } else if (meets_layers) {
         notes_.push_back(fmt::format(
@@ -226,6 +246,43 @@ class Opening {
         const std::uint16_t r = region_at(v[(k + 1) % 3], v[k]);
         if (r != kNoRegion && lands_[r]) planes.of_edge[HalfedgeId(3 * f.index() + k)] = plane_number_[r];
       }
+    }
+  }
+
+  /// Where the wall turns away from a plane or runs on in it, its lines stay.
+  void hold_vertices(OpenWall& result) const {
+    if (result.planes.empty()) return;
+    std::vector<char> is_held(closed_.points.size(), 0);
+    bool any = false;
+    for_each_meeting([&](FaceId f, std::size_t k, std::uint16_t r, bool lands) {
+      if (lands || !lands_[r]) return;
+      any = true;
+      for (const VertexId v : {closed_.faces[f][k], closed_.faces[f][(k + 1) % 3]}) is_held[v.index()] = 1;
+    });
+    if (!any) return;
+    for (const VertexId v : result.vertex) result.planes.is_held.push_back(is_held[v.index()]);
+  }
+
+  /// Vertices that are gone at which edges between planes end: where not just two planes meet, both along one line.
+  void find_corners(OpenWall& result) const {
+    if (result.planes.planes.size() < 3) return;
+    std::map<std::uint32_t, std::map<std::array<mesh::PlaneIndex, 2>, int>> seams;  // by vertex: edges by planes
+    for (const SideEdge& edge : edges_) {
+      const std::uint16_t other = region_at(VertexId(edge.to), VertexId(edge.from));
+      if (other == kNoRegion || !lands_[edge.region] || !lands_[other]) continue;
+      // Edges between cuts of a body run within it.
+      if (is_cut_of_body(regions_[edge.region]) || is_cut_of_body(regions_[other])) continue;
+      const mesh::PlaneIndex p = plane_number_[edge.region], q = plane_number_[other];
+      if (p >= q) continue;
+      for (const std::uint32_t v : {edge.from, edge.to}) ++seams[v][{p, q}];
+    }
+    for (const VertexId v : result.vertex) seams.erase(v.index());
+    for (const auto& [v, pairs] : seams) {
+      mesh::PlaneCorner corner{closed_.points[VertexId(v)], {}};
+      for (const auto& [pair, n] : pairs) {
+        if (n == 1) corner.edges.push_back(pair);
+      }
+      if (!corner.edges.empty()) result.planes.corners.push_back(corner);
     }
   }
 

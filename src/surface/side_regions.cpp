@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/geometry/measures.h"
 
@@ -12,8 +13,7 @@ namespace nearwall::surface {
 
 namespace {
 
-/// Height of a corner over the plane of the neighbouring triangle, over the longest edge of its own, up to which both
-/// belong to one region: about a degree.
+/// Angle between the normals of two neighbours up to which both belong to one region [rad]: about a degree.
 constexpr double kBend = 0.02;
 
 /// Distance from the plane over the extent of the region up to which it is flat.
@@ -24,6 +24,9 @@ constexpr double kFloatRounding = 0x1p-22;
 
 /// Distance from the origin over the extent below which a plane goes through it.
 constexpr double kRounding = 0x1p-40;
+
+/// Sine of the angle between two planes below which a vertex on both is left on the first.
+constexpr double kLeastSlope = 0.02;
 
 struct SideEdge {
   std::uint32_t low, high;
@@ -36,20 +39,14 @@ class Grouping {
   Grouping(const mesh::SurfaceMesh& surface, const IdVector<PatchId, SideRole>& role) : surface_(surface), role_(role) {
     parent_.resize(surface.faces.size());
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-    std::vector<SideEdge> edges;
-    for (const FaceId f : surface.faces.ids()) {
-      if (role_of(f) == SideRole::None) continue;
-      const auto& v = surface.faces[f];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax({v[k].index(), v[(k + 1) % 3].index()});
-        edges.push_back({low, high, f});
-      }
-    }
-    std::sort(edges.begin(), edges.end());
+    noise_ = kFloatRounding * max_norm_of(surface);
+    const std::vector<SideEdge> edges = shared_edges();
     for (std::size_t i = 1; i < edges.size(); ++i) {
       const SideEdge &a = edges[i - 1], &b = edges[i];
-      if (a.low == b.low && a.high == b.high && belong_together(a.face, b.face)) join(a.face, b.face);
+      if (a.low != b.low || a.high != b.high || role_of(a.face) != role_of(b.face)) continue;
+      if (!is_needle(a.face) && !is_needle(b.face) && bend_little(a.face, b.face)) join(a.face, b.face);
     }
+    place_needles(edges);
   }
 
   /// In the order of their first faces.
@@ -81,26 +78,59 @@ class Grouping {
     parent_[high] = low;
   }
 
-  /// Whether the corners of a lie in the plane of b, but for a little.
-  bool lies_in_plane_of(FaceId a, FaceId b) const {
-    const auto [p, q, r] = surface_.triangle(b);
-    const Vec3 normal = geometry::triangle_normal(p, q, r);
-    const auto own = surface_.triangle(a);
-    double highest = 0, longest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      highest = std::max(highest, std::abs(dot(normal, own[k] - p)));
-      longest = std::max(longest, distance(own[k], own[(k + 1) % 3]));
-    }
-    return highest <= kBend * longest;
+  static double max_norm_of(const mesh::SurfaceMesh& surface) {
+    double largest = 0;
+    for (const Vec3& p : surface.points) largest = std::max(largest, max_norm(p));
+    return largest;
   }
 
-  /// A needle has no normal to speak of: it is enough if one lies in the plane of the other.
-  bool belong_together(FaceId a, FaceId b) const {
-    return role_of(a) == role_of(b) && (lies_in_plane_of(a, b) || lies_in_plane_of(b, a));
+  std::vector<SideEdge> shared_edges() const {
+    std::vector<SideEdge> edges;
+    for (const FaceId f : surface_.faces.ids()) {
+      if (role_of(f) == SideRole::None) continue;
+      const auto& v = surface_.faces[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax({v[k].index(), v[(k + 1) % 3].index()});
+        edges.push_back({low, high, f});
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+  }
+
+  /// Whether a triangle is so narrow that rounded coordinates may turn it: it has no normal to speak of.
+  bool is_needle(FaceId f) const {
+    const auto [a, b, c] = surface_.triangle(f);
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    return 2 * geometry::triangle_area(a, b, c) * kBend <= noise_ * longest;
+  }
+
+  bool bend_little(FaceId f, FaceId g) const {
+    const auto [a, b, c] = surface_.triangle(f);
+    const auto [p, q, r] = surface_.triangle(g);
+    return geometry::angle_between(geometry::triangle_normal(a, b, c), geometry::triangle_normal(p, q, r)) <= kBend;
+  }
+
+  /// Each needle goes to one neighbour that has its place already: it must not join two of them.
+  void place_needles(const std::vector<SideEdge>& edges) {
+    std::vector<char> is_placed(parent_.size(), 1);
+    for (const SideEdge& edge : edges) is_placed[edge.face.index()] = is_needle(edge.face) ? 0 : 1;
+    for (bool any = true; any;) {
+      any = false;
+      for (std::size_t i = 1; i < edges.size(); ++i) {
+        const SideEdge &a = edges[i - 1], &b = edges[i];
+        if (a.low != b.low || a.high != b.high || role_of(a.face) != role_of(b.face)) continue;
+        if (is_placed[a.face.index()] == is_placed[b.face.index()]) continue;
+        join(a.face, b.face);
+        is_placed[a.face.index()] = is_placed[b.face.index()] = 1;
+        any = true;
+      }
+    }
   }
 
   const mesh::SurfaceMesh& surface_;
   const IdVector<PatchId, SideRole>& role_;
+  double noise_ = 0;  // of coordinates [length]
   std::vector<std::uint32_t> parent_;
 };
 
@@ -207,7 +237,7 @@ double flatten(const std::vector<SideRegion>& regions, mesh::SurfaceMesh& surfac
         if (is_fixed[v][static_cast<std::size_t>(axis)]) way[axis] = 0;
       }
       const double slope = dot(way, region.plane.normal);
-      if (slope > kBend) surface.points[v] -= way * (region.plane.height(surface.points[v]) / slope);
+      if (slope > kLeastSlope) surface.points[v] -= way * (region.plane.height(surface.points[v]) / slope);
     }
   }
   for (const VertexId v : old.ids()) farthest_move = std::max(farthest_move, distance(old[v], surface.points[v]));

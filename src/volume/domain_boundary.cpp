@@ -7,7 +7,7 @@
 #include "nearwall/geometry/box.h"
 #include "nearwall/geometry/measures.h"
 #include "nearwall/mesh/cell.h"
-#include "nearwall/predicates/orientation.h"
+#include "nearwall/mesh/side_face.h"
 
 namespace nearwall::volume {
 
@@ -83,22 +83,16 @@ class BoundaryBuilder {
     boundary_.plane.push_back(plane);
   }
 
-  /// The faces between two lines on a plane, by the rule of columns: nodes that repeat are dropped.
   void add_side(mesh::PlaneIndex plane, LineId a, LineId b) {
-    const mesh::Window wa = layers_.lines().windows[a], wb = layers_.lines().windows[b];
-    const Level first = std::min(wa.moves() ? wa.start : wb.start, wb.moves() ? wb.start : wa.start);
-    const Level last = std::max(wa.moves() ? wa.end : Level{0}, wb.moves() ? wb.end : Level{0});
+    const auto [first, last] = mesh::level_range(layers_.lines(), a, b);
     for (Level j = first; j < last; ++j) {
-      const auto above = static_cast<Level>(j + 1);
+      const mesh::SideFace side = mesh::side_face(layers_.front(), layers_.lines(), a, b, j);
+      if (side.size < 3) continue;
       FaceNodes face{kNoNode, kNoNode, kNoNode, kNoNode};
-      std::size_t n = 0;
-      for (const std::uint32_t p : {number(a, j), number(b, j), number(b, above), number(a, above)}) {
-        if (std::find(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(n), p) ==
-            face.begin() + static_cast<std::ptrdiff_t>(n)) {
-          face[n++] = p;
-        }
+      for (std::size_t k = 0; k < static_cast<std::size_t>(side.size); ++k) {
+        face[k] = number(side.nodes[k].line, side.nodes[k].level);
       }
-      if (n >= 3) add(face, patch_of_(plane, middle_of(face)), FaceId(), plane);
+      add(face, patch_of_(plane, middle_of(face)), FaceId(), plane);
     }
   }
 
@@ -109,20 +103,11 @@ class BoundaryBuilder {
   DomainBoundary boundary_;
 };
 
-/// Whether each corner of a face on a plane turns left, seen from outside of the domain.
-bool is_convex(const DomainBoundary& boundary, std::size_t face, const mesh::SidePlane& plane) {
+bool is_turned(const DomainBoundary& boundary, std::size_t face, const mesh::SidePlane& plane) {
   const auto n = static_cast<std::size_t>(boundary.size_of(face));
-  std::array<Vec3, 4> flat;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto [u, v] = plane.flat(boundary.points[boundary.faces[face][k]]);
-    flat[k] = Vec3(u, v, 0);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec3 &p = flat[(k + n - 1) % n], &q = flat[k], &r = flat[(k + 1) % n];
-    // Clockwise in the plane's coordinates, which are seen from the domain.
-    if (predicates::orientation(q, p, r, q + Vec3(0, 0, 1)) != predicates::Sign::Positive) return false;
-  }
-  return true;
+  std::array<Vec3, 4> corners;
+  for (std::size_t k = 0; k < n; ++k) corners[k] = boundary.points[boundary.faces[face][k]];
+  return certify::is_turned({corners.data(), n}, plane);
 }
 
 }  // namespace
@@ -148,7 +133,7 @@ DomainCertificate certify_domain(const DomainBoundary& boundary, const mesh::Sid
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     if (boundary.plane[f] != mesh::kNoPlane) {
       ++result.n_side_faces;
-      if (!is_convex(boundary, f, planes->planes[boundary.plane[f]])) ++result.n_bad_side_faces;
+      if (is_turned(boundary, f, planes->planes[boundary.plane[f]])) ++result.n_bad_side_faces;
     }
     const Vec3& first = boundary.points[boundary.faces[f][0]];
     for (int k = 1; k + 1 < boundary.size_of(f); ++k) {

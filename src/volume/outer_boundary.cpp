@@ -84,6 +84,7 @@ void append(const mesh::SurfaceMesh& far, surface::OpenWall& wall) {
     surface.points.push_back(p);
     wall.vertex.push_back(VertexId());
   }
+  if (!wall.planes.is_held.empty()) wall.planes.is_held.resize(surface.points.size(), 0);
   for (mesh::PointArray& array : surface.point_arrays) array.values.resize(surface.points.size(), 0.0);
   for (const FaceId f : far.faces.ids()) {
     const auto& v = far.faces[f];

@@ -20,6 +20,9 @@ using certify::TraceEdge;
 /// A point of the front asks for sizes on a plane if it is no farther from it than so many of its edges.
 constexpr double kNear = 20;
 
+/// An edge at a corner between planes is no longer than this share of the shortest seam there.
+constexpr double kShareOfSeam = 0.5;
+
 class RestBuilder {
  public:
   RestBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes)
@@ -58,8 +61,10 @@ class RestBuilder {
       for (const TraceEdge& edge : traces[p]) edges_[p].push_back(edge.points);
     }
     find_sizes();
-    const mesh::Seams seams = mesh::find_seams(front_.points, planes, edges_);
+    const mesh::Seams seams = mesh::find_seams(front_.points, planes, edges_, wall_.planes->corners);
     expect(seams.loose.empty(), "rest_boundary: the edges of certified layers close on planes");
+    for (const Vec3& corner : seams.corners) add_point(corner);
+    find_sizes_at_corners(seams);
     for (const mesh::Seam& seam : seams.seams) divide(seam);
     for (mesh::PlaneIndex p = 0; p < planes.size(); ++p) fill(p);
   }
@@ -77,6 +82,21 @@ class RestBuilder {
     for (std::size_t i = 0; i < size_.size(); ++i) size_[i] = n[i] > 0 ? size_[i] / n[i] : 0.0;
   }
 
+  /// What the other ends of the edges that meet there leave of the growth.
+  void find_sizes_at_corners(const mesh::Seams& seams) {
+    size_.resize(rest_.surface.points.size(), largest_);
+    for (int round = 0; round < 2; ++round) {
+      for (const mesh::Seam& seam : seams.seams) {
+        const double length = distance(rest_.surface.points[seam.ends[0]], rest_.surface.points[seam.ends[1]]);
+        for (const std::size_t k : {0, 1}) {
+          if (seam.ends[k] < front_.points.size()) continue;
+          double& own = size_[seam.ends[k]];
+          own = std::min({own, size_[seam.ends[1 - k]] + slope() * length, kShareOfSeam * length});
+        }
+      }
+    }
+  }
+
   std::uint32_t add_point(const Vec3& p) {
     rest_.surface.points.push_back(p);
     return static_cast<std::uint32_t>(rest_.surface.points.size() - 1);
@@ -85,7 +105,7 @@ class RestBuilder {
   /// Points along the edge between two planes.
   void divide(const mesh::Seam& seam) {
     const auto [from, to] = seam.ends;
-    const Vec3 begin = front_.points[from], way = front_.points[to] - begin;
+    const Vec3 begin = rest_.surface.points[from], way = rest_.surface.points[to] - begin;
     const double length = norm(way);
     std::uint32_t last = from;
     const auto join = [&](std::uint32_t next) {

@@ -50,7 +50,13 @@ class CutCloser {
   CutClosing close() {
     move_vertices();
     sort_edges();
-    for (const auto& [first, second, ends] : mesh::find_seams(points(), sides_, edges_).seams) {
+    const mesh::Seams seams = mesh::find_seams(points(), sides_, edges_);
+    for (const Vec3& corner : seams.corners) result_.surface.points.push_back(corner);
+    for (mesh::PointArray& array : result_.surface.point_arrays) {
+      // On a cap nothing is asked for.
+      array.values.resize(result_.surface.points.size(), 1.0);
+    }
+    for (const auto& [first, second, ends] : seams.seams) {
       edges_[first].push_back(ends);
       edges_[second].push_back({ends[1], ends[0]});
     }

@@ -55,6 +55,14 @@ struct TraceEdge {
 std::vector<std::vector<TraceEdge>> plane_traces(const mesh::Front& front, const mesh::SidePlanes& planes,
                                                  const FrontSurface& surface);
 
+/// Whether a face on a plane, given counterclockwise seen from outside of the domain, is anything but that and convex:
+/// exact for the projection along the longest component of the plane's normal.
+bool is_turned(std::span<const Vec3> corners, const mesh::SidePlane& plane);
+
+/// Front faces over whose edges on planes a side of the layers is turned. Cost: O(edges on planes × levels).
+std::vector<FrontFaceId> turned_sides(const mesh::Front& front, const mesh::Lines& lines,
+                                      const mesh::SidePlanes& planes, const FrontSurface& surface);
+
 /// Adds what the front leaves of the planes at which the wall ends, as constrained Delaunay triangulations without new
 /// points; where two planes meet, straight from the end of one chain of edges to the next. Normals of these triangles
 /// point into the domain, as those of the front. Exact in the plane, for planes along no axis in their projection along
@@ -90,6 +98,7 @@ struct CertifiedWall {
 struct Certificate {
   CellIndex n_cells = 0;
   std::uint64_t n_bad_columns = 0;          ///< (1) columns with a cell that is not positive everywhere
+  std::uint64_t n_turned_sides = 0;         ///< front faces with a side of their layers on a plane that is turned
   std::uint64_t n_front_intersections = 0;  ///< (4) pairs of front triangles that meet
   std::uint64_t n_covered_twice = 0;        ///< (5) front components whose winding number is wrong; only if (4) holds
   double cells_volume = 0;                  ///< sum of the volumes of all cells
@@ -98,7 +107,9 @@ struct Certificate {
   /// Base times slant over 3 of the cones whose sum is the volume inside front or wall, the larger: their rounding.
   double summed_volume = 0;
 
-  bool is_valid() const { return n_bad_columns == 0 && n_front_intersections == 0 && n_covered_twice == 0; }
+  bool is_valid() const {
+    return n_bad_columns == 0 && n_turned_sides == 0 && n_front_intersections == 0 && n_covered_twice == 0;
+  }
   /// | cells − enclosed | relative to the volume that was summed up, which for a thin gap between two walls is far
   /// larger than the volume inside the front: a check of the program rather than of the mesh.
   double closure() const;

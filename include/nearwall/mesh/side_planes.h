@@ -36,6 +36,12 @@ struct SidePlane {
 using PlaneIndex = std::uint16_t;
 inline constexpr PlaneIndex kNoPlane = 0xffff;
 
+/// A point in which planes meet.
+struct PlaneCorner {
+  Vec3 point;
+  std::vector<std::array<PlaneIndex, 2>> edges;  ///< pairs of planes, the smaller first, whose edges end here
+};
+
 /// The planes at which an open wall ends, and which of its vertices and edges lie on them.
 struct SidePlanes {
   std::vector<SidePlane> planes;
@@ -43,6 +49,9 @@ struct SidePlanes {
   IdVector<VertexId, std::array<PlaneIndex, 3>> of_vertex;
   /// (3 n_faces) plane on which a boundary halfedge lies; kNoPlane for the others.
   IdVector<HalfedgeId, PlaneIndex> of_edge;
+  /// (n_vertices) 1: the wall turns away from a plane there or runs on in it, so that no line can land; empty: none.
+  IdVector<VertexId, char> is_held;
+  std::vector<PlaneCorner> corners;  ///< of the domain, at which the wall has no vertex
 
   bool empty() const { return planes.empty(); }
   bool is_on_plane(VertexId v) const { return !empty() && of_vertex[v][0] != kNoPlane; }
