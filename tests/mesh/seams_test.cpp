@@ -155,6 +155,33 @@ TEST(FindSeams, RunAlongTheThreeAxesOfAnEighth) {
   expect_loops(d, seams);
 }
 
+/// Within a sphere of radius 2 where no coordinate is negative: the planes meet in the middle, where no point is.
+Domain eighth_of_a_ball() {
+  Domain d;
+  for (int axis = 0; axis < 3; ++axis) d.planes.push_back(axis_plane(axis, 0.5));
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 u, v;
+    u[(axis + 1) % 3] = 2;
+    v[(axis + 2) % 3] = 2;
+    const Vec3 middle(0.5, 0.5, 0.5);
+    d.add_chain(static_cast<std::size_t>(axis), {middle + u, middle + (u + v) * 0.75, middle + v});
+  }
+  return d;
+}
+
+TEST(FindSeams, MeetInTheCornerOfThreePlanes) {
+  Domain d = eighth_of_a_ball();
+  const Seams seams = d.seams();
+  EXPECT_TRUE(seams.loose.empty());
+  ASSERT_EQ(seams.corners.size(), 1u);
+  EXPECT_EQ(seams.corners[0], Vec3(0.5, 0.5, 0.5));
+  ASSERT_EQ(seams.seams.size(), 3u);
+  for (const Seam& s : seams.seams) {
+    EXPECT_EQ(std::count(s.ends.begin(), s.ends.end(), d.points.size()), 1) << "each ends in the corner";
+  }
+  expect_loops(d, seams);
+}
+
 TEST(FindSeams, NothingIsAskedOfLoops) {
   Domain d = quarter(2, {});
   d.planes.pop_back();

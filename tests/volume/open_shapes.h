@@ -112,6 +112,12 @@ inline std::vector<OpenShape> shapes_with_planes() {
          return cut_body("quarter-cylinder", {}, 0.15, {"symmetry-y", "symmetry-z"});
        },
        {"front", "side", "base"}},
+      {"body_off_its_three_planes",
+       [] {
+         const auto body = Closed(shapes_for_tests::sphere(2), {}, FluidSide::Outside).open();
+         return in_far_field(body, {{0, -2, 1}, {1, 1.5, -1}, {2, -3, 1}});
+       },
+       {"wall"}},
       {"half_wing",
        [] {
          return cut_body("onera-m6", {{"half", 1}}, 0.1, {"root"});

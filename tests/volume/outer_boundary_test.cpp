@@ -103,7 +103,8 @@ TEST(AddFarField, EndsAtThePlaneOfAHalfBody) {
 
 /// Bodies that do not touch the planes: these are added with patches of their own.
 TEST(AddFarField, AddsPlanesThatNoBodyTouches) {
-  const std::vector<std::vector<SymmetryPlane>> all = {{{1, -1, 1}}, {{1, 2, -1}}, {{0, -1, 1}, {2, 3, -1}}};
+  const std::vector<std::vector<SymmetryPlane>> all = {
+      {{1, -1, 1}}, {{1, 2, -1}}, {{0, -1, 1}, {2, 3, -1}}, {{0, -1, 1}, {1, 2, -1}, {2, 3, -1}}};
   for (const auto& planes : all) {
     OpenWall wall = closed_wall(cube());
     add_far_field(sphere_of(20, planes), wall);

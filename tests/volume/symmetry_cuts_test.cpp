@@ -151,6 +151,20 @@ TEST(CloseCuts, ClosesAQuarterInTwoPlanes) {
   EXPECT_NEAR(volume_of(closing.surface), volume_of(whole), 1e-12);
 }
 
+TEST(CloseCuts, ClosesAnEighthInThreePlanes) {
+  const SurfaceMesh open = part(sphere(2), [](const Vec3& p) { return p.x() > 0 && p.y() > 0 && p.z() > 0; });
+  // The corner at the middle is no point of the surface.
+  const CutClosing closing = close_cuts(open, {{0, 0.0, "x"}, {1, 0.0, "y"}, {2, 0.0, "z"}});
+  EXPECT_EQ(closing.surface.points.size(), open.points.size() + 1);
+  EXPECT_EQ(closing.surface.points.raw().back(), Vec3(0, 0, 0));
+  EXPECT_TRUE(is_admitted(closing.surface));
+  // A fan of four triangles from the corner to the four edges of an arc, all alike.
+  EXPECT_EQ(closing.caps, (std::vector<std::size_t>{4, 4, 4}));
+  EXPECT_NEAR(area_of(closing.surface, "x"), area_of(closing.surface, "y"), 1e-15);
+  EXPECT_NEAR(area_of(closing.surface, "x"), area_of(closing.surface, "z"), 1e-15);
+  EXPECT_NEAR(volume_of(closing.surface), volume_of(sphere(2)) / 8, 1e-14);
+}
+
 /// A hollow ball has a ring for its cut, two bodies a disc each.
 TEST(CloseCuts, FillsRingsAndSeveralCuts) {
   const auto is_in = [](const Vec3& p) { return p.y() > 0; };
