@@ -190,7 +190,13 @@ TEST(OpenAtSides, KeepsWhatTheWallTurnsAwayFrom) {
   EXPECT_THAT(wall.notes[0], HasSubstr("\"outlet\""));
   // With layers on all walls most of its edges are concave, and layers land on it.
   const Closed all(surface, {{"outlet", SideRole::Opening}}, FluidSide::Inside);
-  EXPECT_EQ(all.open().planes.planes.size(), 1u);
+  const OpenWall landed = all.open();
+  EXPECT_EQ(landed.planes.planes.size(), 1u);
+  ASSERT_EQ(landed.planes.is_held.size(), landed.surface.points.size());
+  for (const VertexId v : landed.surface.points.ids()) {
+    const Vec3& p = landed.surface.points[v];
+    EXPECT_EQ(landed.planes.is_held[v] != 0, p.x() == 1 && p.y() == 1) << "where the tread turns away";
+  }
 }
 
 TEST(OpenAtSides, RefusesABodyOnBothSidesOfItsPlane) {
@@ -266,6 +272,19 @@ TEST(OpenAtSides, RefusesPlanesOfSymmetryThatAreUneven) {
     FAIL();
   } catch (const GeometryError& e) {
     EXPECT_THAT(e.what(), HasSubstr("\"cut\" is not flat"));
+  }
+}
+
+/// Half a ball as the domain: a flat floor under a dome, which is curved, and facetted where it is coarse.
+TEST(OpenAtSides, LandsNoLayersOnDomes) {
+  for (const int level : {2, 4}) {
+    SurfaceMesh ball = mapped(sphere(level), [](const Vec3& p) { return p.z() < 0 ? Vec3(p.x(), p.y(), 0) : p; });
+    paint(ball, "dome", [](const Vec3& p) { return p.z() > 0; });
+    const OpenWall wall = Closed(ball, {{"dome", SideRole::Opening}}, FluidSide::Inside).open();
+    EXPECT_TRUE(wall.planes.empty()) << level;
+    EXPECT_EQ(wall.surface.faces.size(), ball.faces.size());
+    ASSERT_FALSE(wall.notes.empty());
+    EXPECT_THAT(wall.notes[0], HasSubstr("\"dome\""));
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <string>
@@ -72,6 +74,31 @@ inline surface::OpenWall room(int level, double rise = 0, double lean = 0) {
   return Closed(closed_room(level, rise, lean), {{"sides", SideRole::Opening}}, FluidSide::Inside, {"ceiling"}).open();
 }
 
+/// The room with a floor as high as a function of x says.
+template <class Height>
+surface::OpenWall room_over(int level, const Height& height) {
+  return Closed(shapes_for_tests::mapped(
+                    closed_room(level, 0, 0),
+                    [&](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() + height(p.x()) * (1 - p.z())); }),
+                {{"sides", SideRole::Opening}}, FluidSide::Inside, {"ceiling"})
+      .open();
+}
+
+/// A sphere of which the plane y = 0 leaves the part beyond a parallel of latitude.
+inline surface::OpenWall sphere_cut_at(double latitude) {
+  const double at = std::sin(latitude);
+  mesh::SurfaceMesh cap = shapes_for_tests::mapped(shapes_for_tests::sphere(3), [&](const Vec3& p) {
+    if (p.y() <= 0) return Vec3(p.x() * std::cos(latitude), 0, p.z() * std::cos(latitude));
+    // The half above becomes the part above the parallel.
+    const double angle = latitude + std::asin(p.y()) * (1 - 2 * latitude / geometry::kPi);
+    const double shrink = std::cos(angle) / std::hypot(p.x(), p.z());
+    const bool is_pole = std::hypot(p.x(), p.z()) == 0;
+    return is_pole ? Vec3(0, 1 - at, 0) : Vec3(p.x() * shrink, std::sin(angle) - at, p.z() * shrink);
+  });
+  paint(cap, "cut", [](const Vec3& p) { return p.y() == 0; });
+  return in_far_field(Closed(cap, {{"cut", SideRole::Symmetry}}, FluidSide::Outside).open());
+}
+
 /// The room turned so that none of its planes lies along an axis.
 inline surface::OpenWall turned_room(int level) {
   const gallery::Rotation rotate(5);
@@ -87,6 +114,17 @@ inline std::vector<OpenShape> shapes_with_planes() {
       {"room_with_leaning_walls", [] { return room(3, 0, 0.25); }, {"wall"}},
       {"room_with_inclining_walls", [] { return room(3, 0, -0.25); }, {"wall"}},
       {"turned_room", [] { return turned_room(3); }, {"wall"}},
+      {"room_with_a_knife_edge",
+       [] { return room_over(3, [](double x) { return std::max(0.0, 0.5 - 4 * std::abs(x - 0.5)); }); },
+       {"wall"}},
+      {"room_with_a_notch",
+       [] { return room_over(3, [](double x) { return std::min(0.0, 4 * std::abs(x - 0.5) - 0.5); }); },
+       {"wall"}},
+      {"room_with_waves",
+       [] { return room_over(4, [](double x) { return 0.1 * std::sin(4 * geometry::kPi * x); }); },
+       {"wall"}},
+      {"sphere_cut_north", [] { return sphere_cut_at(0.6); }, {"wall"}},
+      {"sphere_cut_south", [] { return sphere_cut_at(-0.6); }, {"wall"}},
       {"bend",
        [] {
          return duct("bend", {}, 0.3, {"inlet", "outlet"});
@@ -123,6 +161,11 @@ inline std::vector<OpenShape> shapes_with_planes() {
          return cut_body("onera-m6", {{"half", 1}}, 0.1, {"root"});
        },
        {"upper", "lower", "tip", "trailing-edge"}},
+      {"car_in_a_tunnel",
+       [] {
+         return duct("ahmed-tunnel", {}, 0.25, {"inlet", "outlet", "symmetry", "side"}, {"top"});
+       },
+       {"front", "roof", "slant", "base", "side-right", "underbody", "stilts", "floor"}},
       {"half_wing_body",
        [] {
          return cut_body("wing-body", {{"half", 1}}, 0.3, {"symmetry"});
