@@ -138,6 +138,31 @@ TEST(OpenRoom, HasAllLayersOfFullThicknessBetweenUprightWalls) {
   EXPECT_NEAR(certificate.cells_volume, top, 1e-13);
 }
 
+/// A cube over a plane of symmetry that it does not touch, nearer than its layers are thick: lines leave a tenth free.
+TEST(PlaneBesideABody, LimitsLayersAsAWallWould) {
+  const double gap = 0.05;
+  mesh::SurfaceMesh cube = shapes_for_tests::cube();
+  for (int i = 0; i < 3; ++i) cube = shapes_for_tests::subdivided(cube);
+  surface::OpenWall open = in_far_field(Closed(cube, {}, FluidSide::Outside).open(), {{2, -0.5 - gap, 1}});
+  const std::vector<double> heights = geometric(3 * gap, 1.2, 10);
+  const Grown grown(std::move(open), {"wall"}, heights);
+  int n_below = 0;
+  for (const LineId line : grown.growth.lines.windows.ids()) {
+    const Vec3& base = grown.growth.lines.base[line];
+    const bool is_inside_bottom = base.z() == -0.5 && std::abs(base.x()) < 0.4 && std::abs(base.y()) < 0.4;
+    if (!is_inside_bottom) continue;
+    ++n_below;
+    const auto window = grown.growth.lines.windows[line];
+    EXPECT_EQ(window.end, heights.size()) << "all layers, but thinner";
+    const double left = grown.growth.lines.position(line, window.end).z() + 0.5 + gap;
+    EXPECT_GE(left, 0.1 * gap * (1 - 1e-9));
+    EXPECT_LE(left, 0.15 * gap);
+    EXPECT_EQ(grown.growth.reason[line], mesh::LimitReason::Gap);
+  }
+  EXPECT_EQ(n_below, 49);
+  EXPECT_TRUE(certify::certify_layers(grown.layers, grown.wall.certified_wall()).is_valid());
+}
+
 /// Both halves of a body from one: the wall and its mirror image, joined along the plane y = 0.
 mesh::SurfaceMesh with_mirror_image(const mesh::SurfaceMesh& half) {
   mesh::SurfaceMesh whole = half;
