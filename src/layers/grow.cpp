@@ -71,7 +71,8 @@ class Settling {
         front_changed_(plan.front.faces.size(), 1) {}
 
   void run(ProgressSink& progress) {
-    while (const auto failed = one_round()) {
+    while (auto failed = one_round()) {
+      if (failed->empty()) failed = shrinker_.shrink_all();
       ++growth_.rounds;
       if (growth_.rounds > patient_rounds_) shrinker_.lose_patience();
       lower(growth_.rounds > 2 * patient_rounds_ ? with_their_components(*failed) : *failed);

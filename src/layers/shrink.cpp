@@ -111,6 +111,11 @@ std::vector<VertexId> Shrinker::shrink(const certify::FrontSurface& front,
   return lower_marked(LimitReason::Intersection);
 }
 
+std::vector<VertexId> Shrinker::shrink_all() {
+  for (const VertexId v : field_.thickness.ids()) mark(v, kLeastKept);
+  return lower_marked(LimitReason::Intersection);
+}
+
 bool Shrinker::can_be_lowered(FrontFaceId f) const {
   const auto& lines = front_.faces[f].lines;
   return std::any_of(lines.begin(), lines.begin() + front_.faces[f].size(),

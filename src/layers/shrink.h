@@ -27,6 +27,8 @@ class Shrinker {
                                const std::vector<std::pair<FrontFaceId, FrontFaceId>>& intersections);
   std::vector<VertexId> shrink(const certify::FrontSurface& front, const std::vector<ComponentId>& covered_twice,
                                const IdVector<FaceId, ComponentId>& face_component);
+  /// All lines that move, where what failed names none of them: what a plane's trace has gone round stays where it is.
+  std::vector<VertexId> shrink_all();
 
   /// From now on what fails is blocked at once.
   void lose_patience() { patience_ = 0; }

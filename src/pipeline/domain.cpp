@@ -141,6 +141,10 @@ mesh::SurfaceMesh with_flat_sides(mesh::SurfaceMesh surface, Case& settings, std
       notes.push_back(fmt::format("the surface is open at the plane of symmetry {} = {:.6g} and goes on beyond it",
                                   "xyz"[cuts[p].axis], closing.at[p]));
     }
+    if (closing.farthest_move > 0) {
+      notes.push_back(
+          fmt::format("open edges were moved onto the planes of symmetry, by {:.3g} at most", closing.farthest_move));
+    }
     surface = std::move(closing.surface);
   }
   const auto roles = side_roles(settings, surface);

@@ -39,6 +39,7 @@ Prepared prepare(const Case& settings, ProgressSink& progress) {
   std::size_t n_read = 0;
   mesh::SurfaceMesh welded = read_wall(settings, progress, &n_read);
   const std::size_t n_merged = n_read - welded.points.size();
+  const std::size_t n_faces_read = welded.faces.size();
 
   progress.begin_stage("admission");
   Case effective = settings;
@@ -63,7 +64,8 @@ Prepared prepare(const Case& settings, ProgressSink& progress) {
     has_outer |= !closed.is_valid();
     if (!closed.is_valid()) continue;
     is_wetted[f] = admission.components[admission.face_component[closed]].is_wetted;
-    input_face[f] = admission.input_face[closed];
+    const FaceId input = admission.input_face[closed];
+    if (input.index() < n_faces_read) input_face[f] = input;  // else a cap that was made
   }
   progress.end_stage();
   const bool is_inside = has_outer || settings.surface.fluid == surface::FluidSide::Inside;

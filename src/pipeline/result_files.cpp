@@ -57,7 +57,9 @@ IdVector<FaceId, char> faces_of_bodies(const Prepared& prepared) {
 void LayersOfInput::read_cells(std::size_t batch, mesh::CellBatch& out) const {
   source_.read_cells(batch, out);
   for (std::int64_t& column : out.column) {
-    if (column >= 0) column = input_face_[FaceId(static_cast<std::size_t>(column))].index();
+    if (column < 0) continue;
+    const FaceId input = input_face_[FaceId(static_cast<std::size_t>(column))];
+    column = input.is_valid() ? std::int64_t{input.index()} : -1;
   }
 }
 

@@ -13,6 +13,7 @@
 #include "nearwall/io/polydata_writer.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/pipeline/faults_file.h"
+#include "pipeline/domain.h"
 #include "pipeline/output_directory.h"
 #include "pipeline/prepare.h"
 #include "pipeline/result_files.h"
@@ -64,7 +65,10 @@ SurfaceReport describe_surface(const Prepared& p) {
 [[noreturn]] void reject(const surface::SurfaceRejected& rejected, const Case& settings, OutputDirectory* output) {
   if (!output) throw surface::SurfaceRejected(rejected.what(), rejected.admission);
   const std::string file = settings.output_name() + "-faults.vtp";
-  const mesh::SurfaceMesh surface = read_wall(settings, silent_progress());
+  // As it was admitted: with caps, where it is cut open.
+  Case effective = settings;
+  std::vector<std::string> notes;
+  const mesh::SurfaceMesh surface = with_flat_sides(read_wall(settings, silent_progress()), effective, notes);
   io::write_polydata(output->aside(file), faults_file(surface, rejected.admission.faults));
   output->publish();
   throw surface::SurfaceRejected(
@@ -202,7 +206,9 @@ void write_results(const Result& result, OutputDirectory& output, StageClock& cl
                                 report.certificate.cells_volume, clock);
   if (const auto* failure = std::get_if<VolumeFailure>(&made)) {
     report.volume_failure = failure->reason;
-    io::write_polydata(output.aside(report.name + "-fill-faults.vtp"), fill_faults_file(*failure));
+    if (!failure->triangles.empty()) {
+      io::write_polydata(output.aside(report.name + "-fill-faults.vtp"), fill_faults_file(*failure));
+    }
     return write(source, report.name + "-layers.vtu");
   }
   const Volume& filled = std::get<Volume>(made);

@@ -150,7 +150,9 @@ io::PolyDataFile surface_file(const layers::Wall& wall, const layers::Growth& gr
   file.triangle_data.push_back({"Layers", values(faces, [&](FaceId f) { return to_int(coverage[f].layers); })});
   file.triangle_data.push_back({"LimitReason", values(faces, [&](FaceId f) { return to_int(coverage[f].reason); })});
   file.triangle_data.push_back({"FirstHeight", values(faces, [&](FaceId f) { return coverage[f].first_height; })});
-  file.triangle_data.push_back({"Triangle", values(faces, [&](FaceId f) { return to_int(input_face[f].index()); })});
+  file.triangle_data.push_back({"Triangle", values(faces, [&](FaceId f) {
+                                  return input_face[f].is_valid() ? to_int(input_face[f].index()) : std::int32_t{-1};
+                                })});
   add_ridges(wall, file);
   if (!is_shown.empty()) keep_triangles(is_shown.raw(), file);
   return file;

@@ -119,13 +119,9 @@ io::PolyDataFile boundary_file(const volume::DomainBoundary& boundary, const Pre
 io::PolyDataFile fill_faults_file(const VolumeFailure& failure) {
   const volume::FillBoundary& surface = failure.rest.surface;
   io::PolyDataFile file;
-  std::vector<std::uint32_t> triangles = failure.triangles;
-  if (triangles.empty()) {
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) triangles.push_back(t);
-  }
   std::map<std::uint32_t, std::uint32_t> number;
   std::vector<std::int32_t> is_front;
-  for (const std::uint32_t t : triangles) {
+  for (const std::uint32_t t : failure.triangles) {
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t p = surface.triangles[t][k];

@@ -44,7 +44,7 @@ volume::PatchOnPlane patches_on_planes(const Prepared& prepared);
 /// NAME-boundary.vtp: all faces of the domain's boundary with their patches and the numbers of their nodes.
 io::PolyDataFile boundary_file(const volume::DomainBoundary& boundary, const Prepared& prepared);
 
-/// The triangles that keep the rest from being filled, or all of its boundary where it is not known which.
+/// The triangles that keep the rest from being filled.
 io::PolyDataFile fill_faults_file(const VolumeFailure& failure);
 
 }  // namespace nearwall::pipeline

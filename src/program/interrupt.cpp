@@ -15,6 +15,8 @@ extern "C" void note_interrupt(int) { interrupted = 1; }
 }  // namespace
 
 void catch_interrupts() {
+  // A file that may not grow any more is an error of writing, to be told as such.
+  std::signal(SIGXFSZ, SIG_IGN);
   struct sigaction action = {};
   action.sa_handler = note_interrupt;
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second signal finds the default action again

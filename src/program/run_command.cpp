@@ -118,10 +118,12 @@ ExitCode run_case(const RunArguments& arguments, Console& console) {
   }
   print_results(report, console);
   if (!report.volume_failure.empty()) {
-    console.fail(
-        fmt::format("the volume could not be filled: {}\nThe certified layers are written, and the triangles "
-                    "concerned; the column 'limited by' and a picture of them tell what is in the way",
-                    report.volume_failure));
+    const bool names_triangles = std::any_of(report.files.begin(), report.files.end(), [](const std::string& file) {
+      return file.ends_with("-fill-faults.vtp");
+    });
+    console.fail(fmt::format("the volume could not be filled: {}\nThe certified layers are written alone{}",
+                             report.volume_failure,
+                             names_triangles ? "; the file with -fill-faults shows the triangles concerned" : ""));
     return ExitCode::PartMissing;
   }
   if (!report.is_short_of_coverage()) return ExitCode::Done;

@@ -298,16 +298,32 @@ class Opening {
   std::vector<std::string> notes_;
 };
 
+[[noreturn]] void refuse_place(const mesh::SidePlane& plane, const Vec3& p, const char* what) {
+  const double at = plane.axis >= 0 ? plane.offset * plane.normal[plane.axis] : plane.offset;
+  throw GeometryError(fmt::format("the surface {} its plane of symmetry{} at ({:.6g}, {:.6g}, {:.6g})", what,
+                                  plane.axis >= 0 ? fmt::format(" {} = {:.6g}", "xyz"[plane.axis], at) : "", p.x(),
+                                  p.y(), p.z()));
+}
+
+/// Where a cut body is in touch with its plane of symmetry elsewhere than at its cut the fluid beside it has no room.
 void require_one_side(const mesh::SurfaceMesh& surface, const mesh::SidePlanes& planes,
                       const std::vector<SideRole>& role) {
-  for (std::size_t p = 0; p < planes.planes.size(); ++p) {
-    if (role[p] != SideRole::Symmetry || planes.planes[p].axis < 0) continue;
-    for (const Vec3& point : surface.points) {
-      if (!(planes.planes[p].height(point) < 0)) continue;
-      throw GeometryError(fmt::format(
-          "the surface lies on both sides of its plane of symmetry at {} = {}: ({}, {}, {}) is beyond it",
-          "xyz"[planes.planes[p].axis], planes.planes[p].offset * planes.planes[p].normal[planes.planes[p].axis],
-          point.x(), point.y(), point.z()));
+  for (mesh::PlaneIndex p = 0; p < planes.planes.size(); ++p) {
+    const mesh::SidePlane& plane = planes.planes[p];
+    if (role[p] != SideRole::Symmetry || plane.axis < 0) continue;
+    for (const VertexId v : surface.points.ids()) {
+      const double height = plane.height(surface.points[v]);
+      if (height < 0) refuse_place(plane, surface.points[v], "lies on both sides of");
+      if (height == 0 && !planes.is_on(v, p)) refuse_place(plane, surface.points[v], "touches");
+    }
+    for (const FaceId f : surface.faces.ids()) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId a = surface.faces[f][k], b = surface.faces[f][(k + 1) % 3];
+        if (planes.of_edge[HalfedgeId(3 * f.index() + k)] != mesh::kNoPlane) continue;
+        if (planes.is_on(a, p) && planes.is_on(b, p)) {
+          refuse_place(plane, (surface.points[a] + surface.points[b]) * 0.5, "touches");
+        }
+      }
     }
   }
 }

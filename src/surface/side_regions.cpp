@@ -25,6 +25,9 @@ constexpr double kFloatRounding = 0x1p-22;
 /// Distance from the origin over the extent below which a plane goes through it.
 constexpr double kRounding = 0x1p-40;
 
+/// Distance from a plane over the coordinates that is rounding.
+constexpr double kDoubleRounding = 0x1p-49;
+
 /// Sine of the angle between two planes below which a vertex on both is left on the first.
 constexpr double kLeastSlope = 0.02;
 
@@ -232,12 +235,15 @@ double flatten(const std::vector<SideRegion>& regions, mesh::SurfaceMesh& surfac
   for (const SideRegion& region : regions) {
     if (!region.is_flat || region.plane.axis >= 0) continue;
     for (const VertexId v : vertices_of(surface, region.faces)) {
+      // What lies on it to rounding stays as it is.
+      const double height = region.plane.height(surface.points[v]);
+      if (std::abs(height) <= kDoubleRounding * max_norm(surface.points[v])) continue;
       Vec3 way = region.plane.normal;
       for (int axis = 0; axis < 3; ++axis) {
         if (is_fixed[v][static_cast<std::size_t>(axis)]) way[axis] = 0;
       }
       const double slope = dot(way, region.plane.normal);
-      if (slope > kLeastSlope) surface.points[v] -= way * (region.plane.height(surface.points[v]) / slope);
+      if (slope > kLeastSlope) surface.points[v] -= way * (height / slope);
     }
   }
   for (const VertexId v : old.ids()) farthest_move = std::max(farthest_move, distance(old[v], surface.points[v]));

@@ -114,7 +114,9 @@ std::vector<std::uint32_t> triangles_named(const std::string& words, const FillB
 
 [[noreturn]] void report(const Failure& failure) {
   if (WIFSIGNALED(failure.status)) {
-    throw BackendError(fmt::format("TetGen ended with signal {}: {}", WTERMSIG(failure.status), failure.last_words));
+    const int signal = WTERMSIG(failure.status);
+    throw BackendError(fmt::format("TetGen {} (signal {}){}{}", signal == SIGKILL ? "was killed" : "crashed", signal,
+                                   failure.last_words.empty() ? "" : ": ", failure.last_words));
   }
   const int code = WEXITSTATUS(failure.status);
   throw FillFailed(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -20,15 +21,26 @@ namespace {
 /// Distance over the diagonal of the surface up to which an open vertex lies on a plane.
 constexpr double kOnPlane = 1e-5;
 
+/// … or over the largest coordinate: four roundings to single precision.
+constexpr double kFloatRounding = 0x1p-22;
+
 using Edge = std::array<std::uint32_t, 2>;
 
+/// A directed edge of one face only.
+struct OpenEdge {
+  Edge edge{};
+  FaceId face;
+  friend bool operator<(const OpenEdge& a, const OpenEdge& b) { return a.edge < b.edge; }
+};
+
 /// Directed edges of faces that no other face runs along the other way.
-std::vector<Edge> open_edges(const mesh::SurfaceMesh& surface) {
-  std::vector<Edge> all, reversed, open;
-  for (const auto& v : surface.faces) {
+std::vector<OpenEdge> open_edges(const mesh::SurfaceMesh& surface) {
+  std::vector<OpenEdge> all, reversed, open;
+  for (const FaceId f : surface.faces.ids()) {
+    const auto& v = surface.faces[f];
     for (std::size_t k = 0; k < 3; ++k) {
-      all.push_back({v[k].index(), v[(k + 1) % 3].index()});
-      reversed.push_back({all.back()[1], all.back()[0]});
+      all.push_back({{v[k].index(), v[(k + 1) % 3].index()}, f});
+      reversed.push_back({{all.back().edge[1], all.back().edge[0]}, f});
     }
   }
   std::sort(all.begin(), all.end());
@@ -42,7 +54,8 @@ class CutCloser {
   CutCloser(const mesh::SurfaceMesh& surface, const std::vector<CutPlane>& planes)
       : planes_(planes), box_(geometry::bounding_box(surface.points.raw())), open_(open_edges(surface)) {
     result_.surface = surface;
-    tolerance_ = kOnPlane * box_.diagonal();
+    tolerance_ =
+        std::max(kOnPlane * box_.diagonal(), kFloatRounding * std::max(max_norm(box_.low), max_norm(box_.high)));
     for (const CutPlane& plane : planes) result_.at.push_back(position_of(plane));
     result_.caps.resize(planes.size(), 0);
   }
@@ -71,7 +84,7 @@ class CutCloser {
   double position_of(const CutPlane& plane) const {
     if (plane.at) return *plane.at;
     std::array<std::vector<double>, 2> found;
-    for (const Edge& edge : open_) {
+    for (const auto& [edge, face] : open_) {
       const double x = points()[edge[0]][plane.axis];
       if (x - box_.low[plane.axis] <= tolerance_) found[0].push_back(x);
       if (box_.high[plane.axis] - x <= tolerance_) found[1].push_back(x);
@@ -88,7 +101,7 @@ class CutCloser {
   }
 
   void move_vertices() {
-    for (const Edge& edge : open_) {
+    for (const auto& [edge, face] : open_) {
       for (std::size_t p = 0; p < planes_.size(); ++p) {
         if (!is_on(edge[0], p)) continue;
         double& x = result_.surface.points[VertexId(edge[0])][planes_[p].axis];
@@ -109,13 +122,23 @@ class CutCloser {
       sides_.push_back(side);
     }
     edges_.resize(planes_.size());
-    for (const Edge& edge : open_) {
-      for (std::size_t p = 0; p < planes_.size(); ++p) {
-        if (!is_on(edge[0], p) || !is_on(edge[1], p)) continue;
-        edges_[p].push_back({edge[1], edge[0]});
-        break;
-      }
+    for (const auto& [edge, face] : open_) {
+      if (const auto p = plane_of(edge, face)) edges_[*p].push_back({edge[1], edge[0]});
     }
+  }
+
+  /// Of an edge on two planes: that in which the body lies beside it, behind the face.
+  std::optional<std::size_t> plane_of(const Edge& edge, FaceId face) const {
+    std::vector<std::size_t> on;
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      if (is_on(edge[0], p) && is_on(edge[1], p)) on.push_back(p);
+    }
+    if (on.empty()) return std::nullopt;
+    if (on.size() == 1) return on.front();
+    const auto [a, b, c] = result_.surface.triangle(face);
+    // Away from the other plane, into the half space of the body, and there against the normal of the face.
+    const bool is_in_first = dot(sides_[on[1]].normal, cross(b - a, c - a)) > 0;
+    return is_in_first ? on[0] : on[1];
   }
 
   [[noreturn]] void refuse(std::size_t p, std::uint32_t point, const char* what) const {
@@ -168,7 +191,7 @@ class CutCloser {
 
   const std::vector<CutPlane>& planes_;
   geometry::Box box_;
-  std::vector<Edge> open_;
+  std::vector<OpenEdge> open_;
   double tolerance_ = 0;
   std::vector<mesh::SidePlane> sides_;
   mesh::PlaneEdges edges_;
