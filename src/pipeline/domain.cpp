@@ -1,6 +1,7 @@
 #include "pipeline/domain.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,9 @@ constexpr double kFarFieldDiagonals = 50;
 
 /// Edges of the far field's triangles in its radius: about as many as coarse far fields of the drag workshops have.
 constexpr double kFarFieldSize = 0.1;
+
+/// Distance over the diagonal of the surface up to which a plane asked for is one that is there.
+constexpr double kSamePlane = 1e-4;
 
 bool has_sides(const IdVector<PatchId, SideRole>& roles) {
   return std::any_of(roles.begin(), roles.end(), [](SideRole role) { return role != SideRole::None; });
@@ -60,10 +64,13 @@ std::vector<volume::SymmetryPlane> symmetry_planes(const surface::OpenWall& wall
     const double sign = plane.normal[plane.axis];
     planes.push_back({plane.axis, plane.offset * sign, sign > 0 ? 1 : -1});
   }
-  const Vec3 middle = geometry::bounding_box(wall.surface.points.raw()).centre();
+  const geometry::Box box = geometry::bounding_box(wall.surface.points.raw());
+  const Vec3 middle = box.centre();
+  const double diagonal = box.diagonal();
   for (const SymmetrySetting& asked : settings.volume.symmetry) {
-    const bool is_there =
-        std::any_of(planes.begin(), planes.end(), [&](const auto& p) { return p.axis == asked.axis; });
+    const bool is_there = std::any_of(planes.begin(), planes.end(), [&](const auto& p) {
+      return p.axis == asked.axis && (!asked.at || std::abs(p.position - *asked.at) <= kSamePlane * diagonal);
+    });
     const double at = asked.at.value_or(0);
     if (!is_there) planes.push_back({asked.axis, at, middle[asked.axis] >= at ? 1 : -1});
   }
@@ -76,6 +83,12 @@ volume::FarField far_field(const surface::OpenWall& wall, const Case& settings) 
   volume::FarField far;
   far.shape = asked.shape == FarFieldShape::Box ? volume::FarFieldShape::Box : volume::FarFieldShape::Sphere;
   far.planes = symmetry_planes(wall, settings);
+  // Between two planes there is no room for a sphere.
+  for (const auto& p : far.planes) {
+    for (const auto& q : far.planes) {
+      if (p.axis == q.axis && p.side != q.side) far.shape = volume::FarFieldShape::Box;
+    }
+  }
   far.centre = asked.centre.value_or(box.centre());
   for (const auto& plane : far.planes) far.centre[plane.axis] = plane.position;
   far.radius = asked.radius.value_or(kFarFieldDiagonals * box.diagonal());

@@ -63,7 +63,11 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
                                                 double layers_volume, ProgressSink& progress) {
   const VolumeSettings& settings = prepared.settings.volume;
   Volume result;
-  result.rest = staged(progress, "sides", [&] { return volume::rest_boundary(layers, wall, {settings.growth, {}}); });
+  try {
+    result.rest = staged(progress, "sides", [&] { return volume::rest_boundary(layers, wall, {settings.growth, {}}); });
+  } catch (const InputError& error) {
+    return VolumeFailure{fmt::format("the sides of the domain cannot be meshed: {}", error.what()), {}, {}};
+  }
   try {
     volume::FillOptions options;
     options.growth = settings.growth;

@@ -43,6 +43,7 @@ class Opening {
     }
     std::sort(edges_.begin(), edges_.end());
     choose();
+    let_neighbours_land();
   }
 
   OpenWall open() {
@@ -129,6 +130,21 @@ class Opening {
         notes_.push_back(fmt::format(
             "{}: the wall turns away from it, so no layers can land on it: they end at its edge, as beside nolayer",
             name(r)));
+      }
+    }
+  }
+
+  /// What lies beside a region on which layers land, in the same plane, gives way to them, too.
+  void let_neighbours_land() {
+    for (bool any = true; any;) {
+      any = false;
+      for (const SideEdge& edge : edges_) {
+        const std::uint16_t other = region_at(VertexId(edge.to), VertexId(edge.from));
+        if (other == kNoRegion || lands_[other] || !lands_[edge.region]) continue;
+        const mesh::SidePlane &p = planes_[edge.region], &q = planes_[other];
+        if (p.normal != q.normal || p.offset != q.offset) continue;
+        lands_[other] = 1;
+        any = true;
       }
     }
   }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/box.h"
@@ -46,25 +47,27 @@ class Grouping {
     const std::vector<SideEdge> edges = shared_edges();
     for (std::size_t i = 1; i < edges.size(); ++i) {
       const SideEdge &a = edges[i - 1], &b = edges[i];
-      if (a.low != b.low || a.high != b.high || role_of(a.face) != role_of(b.face)) continue;
+      if (a.low != b.low || a.high != b.high) continue;
       if (!is_needle(a.face) && !is_needle(b.face) && bend_little(a.face, b.face)) join(a.face, b.face);
     }
     place_needles(edges);
   }
 
-  /// In the order of their first faces.
-  std::vector<SideRegion> regions() {
+  /// Parts of one role, in the order of their first faces; those of one plane name the same number.
+  std::vector<SideRegion> regions(std::vector<std::uint32_t>& plane) {
     std::vector<SideRegion> regions;
-    std::vector<std::size_t> number(parent_.size());
+    std::map<std::pair<std::uint32_t, SideRole>, std::size_t> number;
     for (const FaceId f : surface_.faces.ids()) {
-      if (role_of(f) == SideRole::None) continue;
+      const SideRole role = role_of(f);
+      if (role == SideRole::None) continue;
       const std::uint32_t r = root(f.index());
-      if (r == f.index()) {
-        number[r] = regions.size();
+      const auto [found, is_new] = number.emplace(std::pair(r, role), regions.size());
+      if (is_new) {
         regions.push_back({});
-        regions.back().role = role_of(f);
+        regions.back().role = role;
+        plane.push_back(r);
       }
-      regions[number[r]].faces.push_back(f);
+      regions[found->second].faces.push_back(f);
     }
     return regions;
   }
@@ -122,7 +125,7 @@ class Grouping {
       any = false;
       for (std::size_t i = 1; i < edges.size(); ++i) {
         const SideEdge &a = edges[i - 1], &b = edges[i];
-        if (a.low != b.low || a.high != b.high || role_of(a.face) != role_of(b.face)) continue;
+        if (a.low != b.low || a.high != b.high) continue;
         if (is_placed[a.face.index()] == is_placed[b.face.index()]) continue;
         join(a.face, b.face);
         is_placed[a.face.index()] = is_placed[b.face.index()] = 1;
@@ -214,8 +217,20 @@ void unite_planes(const mesh::SurfaceMesh& surface, std::vector<SideRegion>& reg
 }  // namespace
 
 std::vector<SideRegion> find_side_regions(const mesh::SurfaceMesh& surface, const IdVector<PatchId, SideRole>& role) {
-  std::vector<SideRegion> regions = Grouping(surface, role).regions();
-  for (SideRegion& region : regions) fit_plane(surface, region);
+  std::vector<std::uint32_t> plane;
+  std::vector<SideRegion> regions = Grouping(surface, role).regions(plane);
+  std::map<std::uint32_t, SideRegion> whole;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    auto& faces = whole[plane[i]].faces;
+    faces.insert(faces.end(), regions[i].faces.begin(), regions[i].faces.end());
+  }
+  for (auto& [number, all] : whole) fit_plane(surface, all);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const SideRegion& all = whole[plane[i]];
+    regions[i].plane = all.plane;
+    regions[i].off_plane = all.off_plane;
+    regions[i].is_flat = all.is_flat;
+  }
   unite_planes(surface, regions);
   return regions;
 }

@@ -46,13 +46,13 @@ int n_pieces(double length, double size, int minimum) {
 }
 
 void check_planes(const FarField& far_field) {
-  std::array<bool, 3> seen{};
+  std::array<std::array<bool, 2>, 3> seen{};
   for (const SymmetryPlane& plane : far_field.planes) {
     require(plane.axis >= 0 && plane.axis < 3, fmt::format("axis {} of a symmetry plane is not 0, 1 or 2", plane.axis));
     require(plane.side != 0, "the side of a symmetry plane is 0; positive and negative numbers name its sides");
     require(std::isfinite(plane.position), "the position of a symmetry plane is not finite");
-    bool& is_taken = seen[static_cast<std::size_t>(plane.axis)];
-    require(!is_taken, fmt::format("two symmetry planes are normal to {}; one at most is possible",
+    bool& is_taken = seen[static_cast<std::size_t>(plane.axis)][plane.side > 0 ? 1 : 0];
+    require(!is_taken, fmt::format("two symmetry planes normal to {} have the domain on the same side",
                                    kAxisNames[static_cast<std::size_t>(plane.axis)]));
     is_taken = true;
   }
@@ -128,6 +128,8 @@ mesh::SurfaceMesh sphere_surface(const FarField& far_field) {
   std::array<int, 3> kept{};  // 0: both sides
   for (const SymmetryPlane& plane : far_field.planes) {
     const auto axis = static_cast<std::size_t>(plane.axis);
+    require(kept[axis] == 0,
+            fmt::format("a sphere has no room between two symmetry planes normal to {}; take a box", kAxisNames[axis]));
     require(far_field.centre[plane.axis] == plane.position,
             fmt::format("the centre of the sphere must lie on the symmetry plane {} = {:.17g}, but has {} = {:.17g}",
                         kAxisNames[axis], plane.position, kAxisNames[axis], far_field.centre[plane.axis]));
@@ -147,8 +149,8 @@ mesh::SurfaceMesh sphere_surface(const FarField& far_field) {
 }
 
 /// Coordinates of the rows across one axis; both ends exactly.
-std::vector<double> box_rows(double low, double high, double size) {
-  const int n = n_pieces(high - low, size, kMinBoxPieces);
+std::vector<double> box_rows(double low, double high, double size, int least) {
+  const int n = n_pieces(high - low, size, least);
   std::vector<double> rows;
   for (int i = 0; i < n; ++i) rows.push_back(low + (high - low) * (static_cast<double>(i) / n));
   rows.push_back(high);
@@ -217,11 +219,19 @@ void add_box_side(LatticeSurface& surface, const BoxRows& rows, std::size_t axis
 mesh::SurfaceMesh box_surface(const FarField& far_field) {
   const CutBox cut = cut_box(far_field);
   const Vec3 extent = cut.box.high - cut.box.low;
-  // A size that halves the shortest edge keeps cells of a thin box from being long and thin.
-  const double size = std::min(far_field.size, std::min({extent.x(), extent.y(), extent.z()}) / kMinBoxPieces);
+  // Between two planes there may be a single row.
+  std::array<int, 3> least{};
+  double size = far_field.size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    least[a] = cut.is_cut[a][0] && cut.is_cut[a][1] ? 1 : kMinBoxPieces;
+    // A size that halves the shortest edge keeps cells of a thin box from being long and thin.
+    size = std::min(size, extent[axis] / least[a]);
+  }
   BoxRows rows;
   for (int axis = 0; axis < 3; ++axis) {
-    rows[static_cast<std::size_t>(axis)] = box_rows(cut.box.low[axis], cut.box.high[axis], size);
+    const auto a = static_cast<std::size_t>(axis);
+    rows[a] = box_rows(cut.box.low[axis], cut.box.high[axis], size, least[a]);
   }
   LatticeSurface surface;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -21,7 +21,8 @@ struct SideRegion {
   bool is_flat = false;
 };
 
-/// Connected parts of the patches with a role, divided where they bend. A part is flat if no vertex is farther from its
+/// Connected parts of the patches with a role, divided where they bend; parts of different roles that lie beside each
+/// other in one plane have the same plane. A part is flat if no vertex is farther from its
 /// plane than a hundred thousandth of its extent, or than what coordinates lose as single precision floats. A plane
 /// normal to an axis, within that, is made exactly so, and such planes at the same place are one.
 /// Cost: O(n log n) for the n faces with a role.    Source: docs/theory/planes.md

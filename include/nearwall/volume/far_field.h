@@ -24,7 +24,7 @@ struct FarField {
   double radius = 0;                  ///< of the sphere [length]
   geometry::Box box;                  ///< of a box: it reaches up to the planes or beyond, and is cut there
   double size = 0;                    ///< edge length of the triangles [length], > 0
-  std::vector<SymmetryPlane> planes;  ///< at most three, of different axes
+  std::vector<SymmetryPlane> planes;  ///< of different axes, or for a box two opposite ones of an axis
 };
 
 /// The far field without what the symmetry planes cut off and without the planes themselves: closed if there are none,
