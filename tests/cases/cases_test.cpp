@@ -13,8 +13,9 @@
 
 // Each case of /cases, from its geometry to its report, against its expected.json: a list of checks
 //   { "key": "/patches/upper/all_layers_percent", "min": 99.5 }   or "max", or "equals"
-// with the keys of report.json as JSON pointers. A case whose surface comes from a package that is not installed is
-// skipped by name; `make test-slow` installs it.
+// with the keys of report.json as JSON pointers. A list "certify" holds such checks of what `nearwall certify` says of
+// the mesh that was written. A case whose surface comes from a package that is not installed is skipped by name; `make
+// test-slow` installs it.
 
 namespace nearwall {
 namespace {
@@ -41,6 +42,24 @@ int run(const std::string& command) {
   return std::system(fmt::format("PATH='{}':$PATH; {}", NEARWALL_PROGRAM_FOLDER, command).c_str());
 }
 
+void expect_checks(const json& found, const json& checks) {
+  EXPECT_FALSE(checks.empty());
+  for (const json& check : checks) {
+    const std::string key = check.at("key");
+    const json& value = found.at(json::json_pointer(key));
+    EXPECT_GE(check.size(), 2u) << key << " has no bound";
+    if (check.contains("equals")) {
+      EXPECT_EQ(value, check["equals"]) << key;
+    }
+    if (check.contains("min")) {
+      EXPECT_GE(value.get<double>(), check["min"].get<double>()) << key;
+    }
+    if (check.contains("max")) {
+      EXPECT_LE(value.get<double>(), check["max"].get<double>()) << key;
+    }
+  }
+}
+
 class Cases : public testing::TestWithParam<std::string> {};
 
 TEST_P(Cases, ComeOutAsExpected) {
@@ -59,20 +78,12 @@ TEST_P(Cases, ComeOutAsExpected) {
       0);
   const json report = read_json(folder / "out/report.json");
   const json expected = read_json(source / "expected.json");
-  EXPECT_FALSE(expected.at("checks").empty());
-  for (const json& check : expected.at("checks")) {
-    const std::string key = check.at("key");
-    const json& value = report.at(json::json_pointer(key));
-    EXPECT_GE(check.size(), 2u) << key << " has no bound";
-    if (check.contains("equals")) {
-      EXPECT_EQ(value, check["equals"]) << key;
-    }
-    if (check.contains("min")) {
-      EXPECT_GE(value.get<double>(), check["min"].get<double>()) << key;
-    }
-    if (check.contains("max")) {
-      EXPECT_LE(value.get<double>(), check["max"].get<double>()) << key;
-    }
+  expect_checks(report, expected.at("checks"));
+  if (expected.contains("certify")) {
+    const std::string mesh = (folder / "out" / report.at("name").get<std::string>()).string() + ".vtu";
+    const fs::path verdict = folder / "certify.json";
+    EXPECT_EQ(run(fmt::format("nearwall certify '{}' --json --quiet > '{}'", mesh, verdict.string())), 0);
+    expect_checks(read_json(verdict), expected["certify"]);
   }
   fs::remove_all(folder);
 }
