@@ -97,7 +97,7 @@ std::vector<Key> far_field_keys() {
        .unit = "length",
        .default_text = "\"auto\"",
        .range = kPositive,
-       .doc = "of the edges of its triangles; auto: a tenth of the radius, or of half the box's diagonal",
+       .doc = "of the edges of its triangles; auto: as large as tetrahedra have grown on their way there",
        .set = set_length<&Settings::size>,
        .get = get_length<&Settings::size>},
       {.table = "volume.farfield",

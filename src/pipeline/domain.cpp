@@ -19,8 +19,8 @@ using surface::SideRole;
 /// Radius of the far field in diagonals of the surface unless another one is given.
 constexpr double kFarFieldDiagonals = 50;
 
-/// Edges of the far field's triangles in its radius: about as many as coarse far fields of the drag workshops have.
-constexpr double kFarFieldSize = 0.1;
+/// Largest edge of the far field's triangles over its radius: 20 make a great circle.
+constexpr double kFarFieldSize = 0.3;
 
 /// Distance over the diagonal of the surface up to which a plane asked for is one that is there.
 constexpr double kSamePlane = 1e-4;
@@ -94,13 +94,15 @@ volume::FarField far_field(const surface::OpenWall& wall, const Case& settings) 
   far.radius = asked.radius.value_or(kFarFieldDiagonals * box.diagonal());
   const Vec3 half(far.radius, far.radius, far.radius);
   far.box = {asked.lower.value_or(far.centre - half), asked.upper.value_or(far.centre + half)};
-  const double extent = asked.lower ? 0.5 * far.box.diagonal() : far.radius;
-  far.size = asked.size.value_or(kFarFieldSize * extent);
+  // As large as tetrahedra have grown on their way there: smaller ones would make them shrink again.
+  const Vec3 size = far.box.high - far.box.low;
+  const double extent = asked.lower ? 0.5 * std::max({size.x(), size.y(), size.z()}) : far.radius;
+  far.size = asked.size.value_or(std::min(settings.volume.growth - 1, kFarFieldSize) * extent);
   return far;
 }
 
-/// The front at the wall, before any layer.
-void require_closed(const surface::OpenWall& wall) {
+/// A face beside which the edges on sides do not close to loops, with the front at the wall; invalid if they do.
+FaceId face_at_gap(const surface::OpenWall& wall) {
   const mesh::SurfaceMesh& surface = wall.surface;
   const mesh::Front front = mesh::plain_front(surface);
   certify::FrontSurface base;
@@ -113,14 +115,35 @@ void require_closed(const surface::OpenWall& wall) {
     base.face.push_back(FrontFaceId(f.index()));
   }
   const auto wrong = certify::close_front(front, wall.planes, base);
-  if (wrong.empty()) return;
-  const FaceId f(wrong.front().index());
+  return wrong.empty() ? FaceId() : FaceId(wrong.front().index());
+}
+
+std::string gap_text(const surface::OpenWall& wall, FaceId f) {
+  const mesh::SurfaceMesh& surface = wall.surface;
   const Vec3& p = surface.points[surface.faces[f][0]];
-  throw GeometryError(fmt::format(
-      "the edges of patch \"{}\" on the sides of the domain do not close to loops, near ({:.6g}, {:.6g}, {:.6g}); look "
-      "whether its open edges all lie on planes of symmetry, or give the sides another type than symmetry, inlet, "
-      "outlet",
-      surface.patch_names[surface.face_patch[f]], p.x(), p.y(), p.z()));
+  return fmt::format(
+      "the edges of patch \"{}\" on the sides of the domain do not close to loops, near ({:.6g}, {:.6g}, {:.6g})",
+      surface.patch_names[surface.face_patch[f]], p.x(), p.y(), p.z());
+}
+
+/// The wall without the sides on which its layers land; without any where these do not close.
+surface::OpenWall opened(const Case& settings, const surface::Admission& admission,
+                         const IdVector<PatchId, SideRole>& roles) {
+  surface::OpenWallOptions options;
+  options.fluid = settings.surface.fluid;
+  for (const PatchType type : patch_types(settings, admission.surface.patch_names.raw())) {
+    options.has_layers.push_back(has_layers(type) ? 1 : 0);
+  }
+  const auto regions = surface::find_side_regions(admission.surface, roles);
+  surface::OpenWall wall = surface::open_at_sides(admission.surface, regions, wetted(admission), options);
+  const bool is_inside = settings.surface.fluid == surface::FluidSide::Inside;
+  const FaceId gap = is_inside && !wall.planes.empty() ? face_at_gap(wall) : FaceId();
+  if (!gap.is_valid()) return wall;
+  options.lands = false;
+  surface::OpenWall closed = surface::open_at_sides(admission.surface, regions, wetted(admission), options);
+  closed.notes = wall.notes;
+  closed.notes.push_back(gap_text(wall, gap) + ": layers end at all sides, as beside nolayer");
+  return closed;
 }
 
 }  // namespace
@@ -172,13 +195,7 @@ surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
   const auto roles = side_roles(settings, admission.surface);
   surface::OpenWall wall;
   if (has_sides(roles)) {
-    surface::OpenWallOptions options;
-    options.fluid = settings.surface.fluid;
-    for (const PatchType type : patch_types(settings, admission.surface.patch_names.raw())) {
-      options.has_layers.push_back(has_layers(type) ? 1 : 0);
-    }
-    wall = surface::open_at_sides(admission.surface, surface::find_side_regions(admission.surface, roles),
-                                  wetted(admission), options);
+    wall = opened(settings, admission, roles);
   } else {
     wall = closed_wall(admission);
   }
@@ -191,8 +208,12 @@ surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
       add_rule(settings, wall.surface.patch_names[PatchId(p)], is_plane ? PatchType::Symmetry : PatchType::FarField);
     }
   }
-  if (!wall.planes.empty()) require_closed(wall);
-  return wall;
+  const FaceId gap = wall.planes.empty() ? FaceId() : face_at_gap(wall);
+  if (!gap.is_valid()) return wall;
+  throw GeometryError(
+      gap_text(wall, gap) +
+      "; look whether its open edges all lie on planes of symmetry, or give the sides another type than "
+      "symmetry, inlet, outlet");
 }
 
 }  // namespace nearwall::pipeline

@@ -124,9 +124,9 @@ class Opening {
       const bool meets_layers = concave[r] + convex[r] > 0;
       if (!region.is_flat && (meets_layers || is_needed)) {
         refuse_uneven(r, is_needed);
-      } else if (is_needed || concave[r] > 0) {
+      } else if (is_needed || (options_.lands && concave[r] > 0)) {
         lands_[r] = 1;
-      } else if (meets_layers) {
+      } else if (meets_layers && options_.lands) {
         notes_.push_back(fmt::format(
             "{}: the wall turns away from it, so no layers can land on it: they end at its edge, as beside nolayer",
             name(r)));

@@ -78,6 +78,9 @@ std::string_view reason(int exit_code) {
       return "triangles of the boundary lie too close together";
     case TetgenExit::Endless:
       return "edges of the boundary could not be recovered, in whatever order: they may be too close together";
+    case TetgenExit::Unbounded:
+      return "at some corner of the boundary it would go on refining for ever: look for sharp angles between patches "
+             "without layers, planes and fronts";
     case TetgenExit::NothingInside:
       return "it found nothing inside the boundary";
     default:
@@ -128,7 +131,8 @@ std::vector<std::uint32_t> triangles_named(const std::string& words, const FillB
 bool is_worth_another(const Failure& failure) {
   if (WIFSIGNALED(failure.status)) return WTERMSIG(failure.status) != SIGKILL;
   const auto exit = static_cast<TetgenExit>(WEXITSTATUS(failure.status));
-  return exit != TetgenExit::OutOfMemory && exit != TetgenExit::Exchange && exit != TetgenExit::NothingInside;
+  return exit != TetgenExit::OutOfMemory && exit != TetgenExit::Unbounded && exit != TetgenExit::Exchange &&
+         exit != TetgenExit::NothingInside;
 }
 
 /// One run of TetGen with the points in one order.

@@ -34,23 +34,35 @@ void terminatetetgen(tetgenmesh*, int code) {
 
 namespace {
 
-/// Calls of orient3d that TetGen may make for each point of the boundary before it begins to refine. It needs 30 to
-/// 250, and where it goes round in circles while it recovers an edge it would make them for ever.
+/// Calls of orient3d and incircle3d that TetGen may make for each point of the boundary before it begins to refine. It
+/// needs 30 to 250, and where it goes round in circles while it recovers an edge it would make them for ever.
 constexpr std::uint64_t kCallsPerPoint = 5000;
 std::uint64_t calls_left = 0;
 bool is_refining = false;
 
 using Orient3d = double (*)(double*, double*, double*, double*);
+using Incircle3d = double (*)(tetgenmesh*, double*, double*, double*, double*);
+
+void count_call() {
+  if (is_refining || calls_left-- > 0) return;
+  std::fputs("it goes round in circles\n", stderr);
+  _exit(static_cast<int>(nearwall::volume::TetgenExit::Endless));
+}
 
 }  // namespace
+
+/// In the place of the library's own, too: on points of one circle in a plane along no axis its flips need not end.
+double tetgenmesh::incircle3d(double* p, double* q, double* r, double* s) {
+  static const auto original =
+      reinterpret_cast<Incircle3d>(::dlsym(RTLD_NEXT, "_ZN10tetgenmesh10incircle3dEPdS0_S0_S0_"));
+  count_call();
+  return original(this, p, q, r, s);
+}
 
 /// In the place of the library's own, which it calls: the sign that nearly all of TetGen's decisions ask for.
 double orient3d(double* a, double* b, double* c, double* d) {
   static const auto original = reinterpret_cast<Orient3d>(::dlsym(RTLD_NEXT, "_Z8orient3dPdS_S_S_"));
-  if (!is_refining && calls_left-- == 0) {
-    std::fputs("it goes round in circles\n", stderr);
-    _exit(static_cast<int>(nearwall::volume::TetgenExit::Endless));
-  }
+  count_call();
   return original(a, b, c, d);
 }
 
@@ -70,6 +82,12 @@ constexpr const char* kSwitches = "pYqo/140T1e-16Q";
 
 const SizeField* wanted_sizes = nullptr;
 
+/// Questions that TetGen may ask for each triangle of the boundary, times the slope of sizes. It asks 1.3 for each
+/// tetrahedron it makes, and makes 1 to 3 over the slope for each triangle, 50 over the slope at most in what was
+/// tried; at some sharp corners of the boundary its own rule of radius over edge has no end.
+constexpr double kQuestions = 600;
+std::uint64_t questions_left = 0;
+
 Vec3 vec3(const double* p) { return {p[0], p[1], p[2]}; }
 
 double shortest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -82,6 +100,10 @@ double shortest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// angles of the boundary circumcentres lie beyond it, and to split for size alone would have no end.
 bool is_too_large(double* pa, double* pb, double* pc, double* pd, double*, double) {
   is_refining = true;
+  if (questions_left-- == 0) {
+    std::fputs("it refines without end\n", stderr);
+    _exit(static_cast<int>(TetgenExit::Unbounded));
+  }
   const Vec3 d = vec3(pd), a = vec3(pa) - d, b = vec3(pb) - d, c = vec3(pc) - d;
   const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
   // |circumcentre − d| = |numerator| / (2 a·(b × c))
@@ -172,6 +194,8 @@ TetgenExit fill_once(int attempt) {
   tetgenio in, out;
   const Order order(problem.boundary.points.size(), attempt);
   give(in, problem, order);
+  const double n_triangles = static_cast<double>(problem.boundary.triangles.size());
+  questions_left = static_cast<std::uint64_t>(kQuestions / problem.slope * n_triangles);
   calls_left = kCallsPerPoint * problem.boundary.points.size();
   std::string switches = kSwitches;
   tetrahedralize(switches.data(), &in, &out);

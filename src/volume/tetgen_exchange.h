@@ -37,6 +37,7 @@ enum class TetgenExit {
   Input = 10,
   NothingInside = 20,  ///< no tetrahedra, and no word about it
   Endless = 22,        ///< the boundary could not be recovered in bounded work
+  Unbounded = 23,      ///< it would refine for ever
   Exchange = 21,       ///< could not read or write
 };
 

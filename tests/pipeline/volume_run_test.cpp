@@ -215,7 +215,7 @@ void expect_layers_alone(const Report& report, const fs::path& out) {
   EXPECT_TRUE(report.certified) << "the layers are";
   EXPECT_EQ(report.n_cells(), 36u);
   EXPECT_TRUE(fs::exists(out / "body-layers.vtu"));
-  EXPECT_TRUE(fs::exists(out / "body-fill-faults.vtp"));
+  EXPECT_FALSE(fs::exists(out / "body-fill-faults.vtp")) << "nobody knows which triangles are to blame";
   EXPECT_FALSE(fs::exists(out / "body.vtu"));
   EXPECT_FALSE(fs::exists(out / "body-boundary.vtp"));
   EXPECT_EQ(std::count(report.files.begin(), report.files.end(), "body-layers.vtu"), 1);
@@ -230,9 +230,6 @@ TEST_F(VolumeRun, WritesTheLayersAloneWhereTheFillFails) {
   expect_layers_alone(report, folder_ / "out");
   const Json json = Json::parse(folder_.read("out/report.json"));
   EXPECT_EQ(json["volume_failure"], report.volume_failure);
-  // It is not known which triangles are to blame, so all of the boundary is shown.
-  const SurfaceMesh faults = io::read_surface(folder_ / "out/body-fill-faults.vtp");
-  EXPECT_GT(faults.faces.size(), 12u);
 }
 
 TEST_F(VolumeRun, WritesTheLayersAloneWhereTheFillCrashes) {

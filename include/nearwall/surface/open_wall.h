@@ -23,6 +23,7 @@ struct OpenWall {
 struct OpenWallOptions {
   IdVector<PatchId, char> has_layers;  ///< (n_patches)
   FluidSide fluid = FluidSide::Outside;
+  bool lands = true;  ///< false: layers end at all sides but the cuts of bodies, as beside patches without layers
 };
 
 /// Takes those regions out on which the layers of neighbouring patches land: flat ones that meet these patches, mostly,

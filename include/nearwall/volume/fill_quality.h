@@ -6,7 +6,7 @@
 
 namespace nearwall::volume {
 
-/// Quality of the tetrahedra. Definitions: docs/theory/quality.md, section 6.
+/// Quality of the tetrahedra. Definitions: docs/theory/quality.md.
 struct FillQuality {
   quality::Statistics smallest_dihedral;  ///< of each tetrahedron [deg]
   quality::Statistics radius_edge;        ///< radius of the circumscribed sphere over the shortest edge [-]
