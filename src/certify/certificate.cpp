@@ -86,7 +86,10 @@ Certificate certify_layers(const mesh::LayerMesh& layers, const CertifiedWall& w
   if (wall.planes) {
     result.n_turned_sides = turned_sides(layers.front(), layers.lines(), *wall.planes, front).size();
   }
-  if (wall.planes) result.n_front_intersections = close_front(layers.front(), *wall.planes, front).size();
+  if (wall.planes) {
+    result.n_front_intersections = close_front(layers.front(), *wall.planes, front).size();
+    if (!front.is_closed && result.n_front_intersections == 0) result.n_front_intersections = 1;
+  }
   if (result.n_front_intersections == 0) result.n_front_intersections = front_intersections(front).size();
   progress.update(0.7);
   // Winding numbers have a meaning only where the front does not meet itself.

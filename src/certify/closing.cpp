@@ -86,10 +86,10 @@ class Closer {
 
   std::vector<FrontFaceId> close() {
     add_seams();
-    for (mesh::PlaneIndex p = 0; p < traces_.size() && to_blame_.empty(); ++p) close_plane(p);
+    for (mesh::PlaneIndex p = 0; p < traces_.size() && surface_.is_closed; ++p) close_plane(p);
     std::sort(to_blame_.begin(), to_blame_.end());
     to_blame_.erase(std::unique(to_blame_.begin(), to_blame_.end()), to_blame_.end());
-    if (to_blame_.empty()) note_faces();
+    if (surface_.is_closed) note_faces();
     return std::move(to_blame_);
   }
 
@@ -111,6 +111,7 @@ class Closer {
     const mesh::Seams seams = mesh::find_seams(surface_.points, planes_.planes, edges, planes_.corners);
     surface_.points.insert(surface_.points.end(), seams.corners.begin(), seams.corners.end());
     surface_.is_moved.resize(surface_.points.size(), 0);
+    surface_.is_closed = seams.loose.empty();
     for (const std::uint32_t p : seams.loose) blame_point(p);
     for (const mesh::Seam& seam : seams.seams) {
       traces_[seam.first].push_back({seam.ends, FrontFaceId()});
@@ -123,11 +124,13 @@ class Closer {
     if (trace.empty()) return;
     const FlatEdges flat(planes_.planes[p], trace, surface_.points);
     for (const auto& [i, j] : planar::crossing_edges(flat.points, flat.edges)) {
+      surface_.is_closed = false;
       blame(trace[i]);
       blame(trace[j]);
     }
-    if (!to_blame_.empty()) return;
+    if (!surface_.is_closed) return;
     const planar::RegionTriangulation rest = planar::triangulate_region(flat.points, flat.edges);
+    surface_.is_closed = rest.contradicting_edges.empty();
     for (const std::uint32_t edge : rest.contradicting_edges) blame(trace[edge]);
     for (const auto& [a, b, c] : rest.triangles) {
       surface_.triangles.push_back({flat.original[a], flat.original[b], flat.original[c]});

@@ -100,7 +100,7 @@ class Settling {
     if (wall_.has_planes()) {
       auto wrong = certify::turned_sides(plan_.front, growth_.lines, *wall_.planes, front);
       if (wrong.empty()) wrong = certify::close_front(plan_.front, *wall_.planes, front);
-      if (!wrong.empty()) return shrinker_.shrink(front, with_themselves(wrong));
+      if (!wrong.empty() || !front.is_closed) return shrinker_.shrink(front, with_themselves(wrong));
     }
     const bool all = std::find(front_changed_.begin(), front_changed_.end(), 0) == front_changed_.end();
     const auto intersections =

@@ -33,7 +33,7 @@ Balance balance_of(const std::vector<std::array<std::uint32_t, 2>>& edges) {
 struct End {
   double place;
   std::uint32_t point;
-  int balance;  ///< in the first plane; 0 at a corner, at which nothing ends yet
+  int balance;  ///< in the first plane; 0 at a corner of which it is not known
   friend bool operator<(const End& a, const End& b) {
     return std::pair(a.place, a.point) < std::pair(b.place, b.point);
   }
@@ -65,7 +65,7 @@ class SeamFinder {
   void add_corner(const PlaneCorner& corner) {
     const auto number = static_cast<std::uint32_t>(points_.size() + result_.corners.size());
     result_.corners.push_back(corner.point);
-    for (const PlanePair& pair : corner.edges) add_end(pair, corner.point, number, 0);
+    for (const auto& [pair, balance] : corner.edges) add_end(pair, corner.point, number, balance);
   }
 
   /// Where edges between each two of three planes have one end too many.
@@ -89,7 +89,7 @@ class SeamFinder {
             const int axis = planes_[plane].axis;
             if (axis >= 0) corner[axis] = planes_[plane].offset * planes_[plane].normal[axis];
           }
-          add_corner({corner, {{p, q}, {p, r}, {q, r}}});
+          add_corner({corner, {{{p, q}, 0}, {{p, r}, 0}, {{q, r}, 0}}});
         }
       }
     }

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "nearwall/certify/certificate.h"
 #include "nearwall/core/errors.h"
+#include "nearwall/predicates/volume.h"
 #include "nearwall/volume/outer_boundary.h"
 #include "nearwall/volume/symmetry_cuts.h"
 
@@ -101,10 +104,9 @@ volume::FarField far_field(const surface::OpenWall& wall, const Case& settings) 
   return far;
 }
 
-/// A face beside which the edges on sides do not close to loops, with the front at the wall; invalid if they do.
-FaceId face_at_gap(const surface::OpenWall& wall) {
+/// The front at the wall, before any layer, closed over the planes. \param wrong  gets what is to blame if it is not
+certify::FrontSurface closed_base(const surface::OpenWall& wall, std::vector<FrontFaceId>& wrong) {
   const mesh::SurfaceMesh& surface = wall.surface;
-  const mesh::Front front = mesh::plain_front(surface);
   certify::FrontSurface base;
   base.points = surface.points.raw();
   base.is_moved.resize(base.points.size(), 0);
@@ -114,8 +116,63 @@ FaceId face_at_gap(const surface::OpenWall& wall) {
     base.triangles.push_back({v[0].index(), v[1].index(), v[2].index()});
     base.face.push_back(FrontFaceId(f.index()));
   }
-  const auto wrong = certify::close_front(front, wall.planes, base);
-  return wrong.empty() ? FaceId() : FaceId(wrong.front().index());
+  wrong = certify::close_front(mesh::plain_front(surface), wall.planes, base);
+  return base;
+}
+
+/// A face beside which the edges on sides do not close to loops; invalid if they do.
+FaceId face_at_gap(const surface::OpenWall& wall) {
+  std::vector<FrontFaceId> wrong;
+  const certify::FrontSurface base = closed_base(wall, wrong);
+  if (!wrong.empty()) return FaceId(wrong.front().index());
+  return base.is_closed ? FaceId() : FaceId(0);
+}
+
+/// Hollows of bodies that a plane of symmetry cuts open: closed by the plane they hold fluid of their own, which the
+/// far field does not reach. Their faces leave the domain.
+void leave_hollows(surface::OpenWall& wall, std::size_t n_body_faces) {
+  std::vector<FrontFaceId> wrong;
+  const certify::FrontSurface base = closed_base(wall, wrong);
+  if (!base.is_closed) return;
+  std::vector<std::uint32_t> parent(base.points.size());
+  std::iota(parent.begin(), parent.end(), std::uint32_t{0});
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& t : base.triangles) {
+    for (const std::uint32_t p : t) {
+      const auto [low, high] = std::minmax({root(t[0]), root(p)});
+      parent[high] = low;
+    }
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> parts;
+  for (std::uint32_t t = 0; t < base.triangles.size(); ++t) parts[root(base.triangles[t][0])].push_back(t);
+  if (n_body_faces < wall.surface.faces.size()) parts.erase(root(base.triangles[n_body_faces][0]));
+  std::size_t n_left = 0;
+  for (const auto& [name, triangles] : parts) {
+    const auto triangle = [&, &members = triangles](std::size_t i) {
+      const auto& [p, q, r] = base.triangles[members[i]];
+      return predicates::Triangle{base.points[p], base.points[q], base.points[r]};
+    };
+    // Seen from the fluid a body encloses a positive volume, fluid a negative one.
+    if (predicates::enclosed_volume(triangles.size(), triangle).sign != predicates::Sign::Negative) continue;
+    wall.is_cut_off.resize(wall.surface.faces.size(), 0);
+    for (const std::uint32_t t : triangles) {
+      if (t >= wall.surface.faces.size()) continue;
+      const FaceId f(t);
+      ++n_left;
+      wall.is_cut_off[f] = 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        wall.planes.of_edge[HalfedgeId(3 * t + k)] = mesh::kNoPlane;
+        wall.planes.of_vertex[wall.surface.faces[f][k]] = {mesh::kNoPlane, mesh::kNoPlane, mesh::kNoPlane};
+      }
+    }
+  }
+  if (n_left > 0) {
+    wall.notes.push_back(fmt::format(
+        "hollows behind planes of symmetry ({} triangles) are out of the fluid's reach and get no layers", n_left));
+  }
 }
 
 std::string gap_text(const surface::OpenWall& wall, FaceId f) {
@@ -201,8 +258,9 @@ surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
   }
   const bool is_cut = settings.surface.fluid == surface::FluidSide::Outside && !wall.planes.empty();
   if (has_far_field(settings) || is_cut) {
-    const std::size_t n_patches = wall.surface.patch_names.size();
+    const std::size_t n_patches = wall.surface.patch_names.size(), n_faces = wall.surface.faces.size();
     volume::add_far_field(far_field(wall, settings), wall);
+    if (!wall.planes.empty()) leave_hollows(wall, n_faces);
     for (std::size_t p = n_patches; p < wall.surface.patch_names.size(); ++p) {
       const bool is_plane = std::find(wall.patch.begin(), wall.patch.end(), PatchId(p)) != wall.patch.end();
       add_rule(settings, wall.surface.patch_names[PatchId(p)], is_plane ? PatchType::Symmetry : PatchType::FarField);

@@ -16,6 +16,10 @@ constexpr double kDiskForPoint = 24;        ///< three doubles, which hardly com
 constexpr double kDiskForTriangle = 50;     ///< surface and front files
 constexpr double kDiskForReport = 2e6;      ///< pictures and pages
 
+constexpr double kTetrahedraForTriangle = 2.5;
+constexpr int kTetrahedraForPoint = 6;
+constexpr double kBytesForTetrahedron = 700;  ///< in TetGen, and the result beside it
+
 std::string sized(double bytes) {
   constexpr double kStep = 1000;
   const char* unit = "B";
@@ -75,12 +79,22 @@ Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings
   return f;
 }
 
+void add_fill(std::size_t n_triangles, double growth, Forecast& f) {
+  f.n_tetrahedra = static_cast<std::uint64_t>(kTetrahedraForTriangle * static_cast<double>(n_triangles) / (growth - 1));
+  const auto tetrahedra = static_cast<double>(f.n_tetrahedra);
+  f.n_points += f.n_tetrahedra / kTetrahedraForPoint;
+  f.memory_bytes = std::max(f.memory_bytes, static_cast<std::uint64_t>(kBytesForTetrahedron * tetrahedra));
+  f.disk_bytes += static_cast<std::uint64_t>((kDiskForCell + kDiskForPoint / kTetrahedraForPoint) * tetrahedra);
+}
+
 std::string describe(const Forecast& f) {
   const auto point = [](const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); };
   return fmt::format(
-      "forecast: up to {} cells in {} layers, {} points, {} of memory, {} on disk; box {} to {}, diagonal {:.6g}",
-      grouped(f.n_cells), f.largest_count, grouped(f.n_points), sized(static_cast<double>(f.memory_bytes)),
-      sized(static_cast<double>(f.disk_bytes)), point(f.box.low), point(f.box.high), f.box.diagonal());
+      "forecast: up to {} cells in {} layers{}, {} points, {} of memory, {} on disk; box {} to {}, diagonal {:.6g}",
+      grouped(f.n_cells), f.largest_count,
+      f.n_tetrahedra > 0 ? fmt::format(", about {} tetrahedra", grouped(f.n_tetrahedra)) : "", grouped(f.n_points),
+      sized(static_cast<double>(f.memory_bytes)), sized(static_cast<double>(f.disk_bytes)), point(f.box.low),
+      point(f.box.high), f.box.diagonal());
 }
 
 }  // namespace nearwall

@@ -61,9 +61,10 @@ Prepared prepare(const Case& settings, ProgressSink& progress) {
   bool has_outer = false;
   for (const FaceId f : is_wetted.ids()) {
     const FaceId closed = wall.face[f];
+    if (!wall.is_cut_off.empty() && wall.is_cut_off[f]) is_wetted[f] = 0;
     has_outer |= !closed.is_valid();
     if (!closed.is_valid()) continue;
-    is_wetted[f] = admission.components[admission.face_component[closed]].is_wetted;
+    if (is_wetted[f]) is_wetted[f] = admission.components[admission.face_component[closed]].is_wetted;
     const FaceId input = admission.input_face[closed];
     if (input.index() < n_faces_read) input_face[f] = input;  // else a cap that was made
   }

@@ -118,6 +118,7 @@ Json surface_json(const SurfaceReport& s) {
 
 Json forecast_json(const Forecast& f) {
   return {{"cells", f.n_cells},
+          {"tetrahedra", f.n_tetrahedra},
           {"points", f.n_points},
           {"memory_bytes", f.memory_bytes},
           {"disk_bytes", f.disk_bytes},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/core/helper_process.h"
 #include "nearwall/geometry/angles.h"
 #include "nearwall/geometry/measures.h"
 #include "nearwall/io/pending_file.h"
@@ -37,10 +38,11 @@ constexpr double kLargestClosure = 1e-9;
 constexpr double kLargestThickness = 1e6;
 
 std::uint64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
+  rusage own{}, helpers{};
+  getrusage(RUSAGE_SELF, &own);
+  getrusage(RUSAGE_CHILDREN, &helpers);
   constexpr std::uint64_t kKibibyte = 1024;
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * kKibibyte;
+  return static_cast<std::uint64_t>(std::max(own.ru_maxrss, helpers.ru_maxrss)) * kKibibyte;
 }
 
 SurfaceReport describe_surface(const Prepared& p) {
@@ -113,7 +115,7 @@ layers::GrowOptions grow_options(const Case& settings, const std::vector<PatchSe
 
 layers::Wall wall_of(const Prepared& prepared) {
   return {prepared.surface(), prepared.topology,        prepared.features,
-          prepared.is_wetted, prepared.fluid_is_inside, &prepared.wall.planes};
+          prepared.is_wetted, prepared.fluid_is_inside, prepared.wall.planes.empty() ? nullptr : &prepared.wall.planes};
 }
 
 certify::CertifiedWall certified_wall(const layers::Wall& wall) {
@@ -176,8 +178,12 @@ Forecast forecast_of(const Case& settings, const Prepared& prepared, const std::
   const layers::GrowOptions options = grow_options(settings, patches);
   const bool any_isotropic =
       std::any_of(patches.begin(), patches.end(), [](const auto& patch) { return patch.is_until_isotropic; });
-  return forecast(wall.surface, patches, wall.is_wetted, layers::forecast_fan_faces(wall, options),
-                  any_isotropic ? layers::asked_levels(wall, options) : IdVector<VertexId, Level>());
+  Forecast result = forecast(wall.surface, patches, wall.is_wetted, layers::forecast_fan_faces(wall, options),
+                             any_isotropic ? layers::asked_levels(wall, options) : IdVector<VertexId, Level>());
+  if (prepared.settings.volume.fill != Fill::None) {
+    add_fill(wall.surface.faces.size(), prepared.settings.volume.growth, result);
+  }
+  return result;
 }
 
 VolumeReport describe_volume(const Volume& v, std::size_t n_patches) {
@@ -268,6 +274,11 @@ Report run(const Case& settings, const RunOptions& options, ProgressSink* progre
   const auto patches = resolve_patches(prepared.settings, prepared.surface(), prepared.topology);
   for (const PatchSettings& patch : patches) {
     for (const std::string& warning : patch.warnings) clock.warn(warning);
+  }
+  if (settings.volume.fill != Fill::None && find_helper("nearwall-tetgen").empty()) {
+    clock.warn(
+        "the program nearwall-tetgen is missing, so the volume will not be filled; it belongs beside nearwall, or "
+        "NEARWALL_TETGEN names it");
   }
   report.forecast = forecast_of(settings, prepared, patches);
   check_thickness(settings, patches, report.forecast.box.diagonal());

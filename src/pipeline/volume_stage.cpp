@@ -66,6 +66,7 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
   try {
     result.rest = staged(progress, "sides", [&] { return volume::rest_boundary(layers, wall, {settings.growth, {}}); });
   } catch (const InputError& error) {
+    progress.end_stage();
     return VolumeFailure{fmt::format("the sides of the domain cannot be meshed: {}", error.what()), {}, {}};
   }
   try {
@@ -74,8 +75,13 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
     result.fill = staged(progress, "tetrahedra",
                          [&] { return volume::fill_with_tetgen(result.rest.surface, options, progress); });
   } catch (const volume::FillFailed& failed) {
+    progress.end_stage();
     return VolumeFailure{failed.what(), std::move(result.rest), failed.triangles};
   } catch (const BackendError& failed) {
+    progress.end_stage();
+    return VolumeFailure{failed.what(), std::move(result.rest), {}};
+  } catch (const InputError& failed) {
+    progress.end_stage();
     return VolumeFailure{failed.what(), std::move(result.rest), {}};
   }
   progress.begin_stage("domain");

@@ -13,7 +13,8 @@ namespace nearwall::surface {
 
 namespace {
 
-constexpr std::uint16_t kNoRegion = 0xffff;
+using RegionIndex = std::uint32_t;
+constexpr RegionIndex kNoRegion = 0xffffffff;
 
 /// Turn from which a concave edge between wall and plane is one on which layers land [rad]: with less, a line in the
 /// plane would lean by more than 60 degrees from the wall's normal.
@@ -22,7 +23,7 @@ constexpr double kLeastConcave = geometry::to_radians(30);
 /// An edge of a face of a side, in its direction there.
 struct SideEdge {
   std::uint32_t from, to;
-  std::uint16_t region;
+  RegionIndex region;
   friend auto operator<=>(const SideEdge&, const SideEdge&) = default;
 };
 
@@ -32,7 +33,7 @@ class Opening {
           const IdVector<FaceId, char>& is_wetted, const OpenWallOptions& options)
       : closed_(closed), regions_(regions), is_wetted_(is_wetted), options_(options), lands_(regions.size(), 0) {
     region_of_.resize(closed.faces.size(), kNoRegion);
-    for (std::uint16_t r = 0; r < regions.size(); ++r) {
+    for (RegionIndex r = 0; r < regions.size(); ++r) {
       planes_.push_back(plane_into_domain(regions[r]));
       for (const FaceId f : regions[r].faces) {
         region_of_[f] = r;
@@ -48,7 +49,7 @@ class Opening {
 
   OpenWall open() {
     for (auto pinched = pinched_regions(); !pinched.empty(); pinched = pinched_regions()) {
-      for (const std::uint16_t r : pinched) {
+      for (const RegionIndex r : pinched) {
         lands_[r] = 0;
         notes_.push_back(
             fmt::format("{}: the wall touches itself on it: layers end at its edge, as beside nolayer", name(r)));
@@ -77,7 +78,7 @@ class Opening {
     return plane;
   }
 
-  std::string name(std::uint16_t r) const {
+  std::string name(RegionIndex r) const {
     const FaceId f = regions_[r].faces.front();
     return fmt::format("patch \"{}\"", closed_.patch_names[closed_.face_patch[f]]);
   }
@@ -87,7 +88,7 @@ class Opening {
   }
 
   /// Region of a side that has the edge from `from` to `to`; kNoRegion if there is none.
-  std::uint16_t region_at(VertexId from, VertexId to) const {
+  RegionIndex region_at(VertexId from, VertexId to) const {
     const SideEdge wanted{from.index(), to.index(), 0};
     const auto found = std::lower_bound(edges_.begin(), edges_.end(), wanted);
     return found != edges_.end() && found->from == wanted.from && found->to == wanted.to ? found->region : kNoRegion;
@@ -101,7 +102,7 @@ class Opening {
       if (!has_layers(f)) continue;
       const auto& v = closed_.faces[f];
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint16_t r = region_at(v[(k + 1) % 3], v[k]);
+        const RegionIndex r = region_at(v[(k + 1) % 3], v[k]);
         if (r == kNoRegion) continue;
         const auto [a, b, c] = closed_.triangle(f);
         const Vec3 along = closed_.points[v[(k + 1) % 3]] - closed_.points[v[k]];
@@ -114,18 +115,20 @@ class Opening {
   /// Which regions layers land on.
   void choose() {
     std::vector<double> concave(regions_.size(), 0), convex(regions_.size(), 0);
-    for_each_meeting([&](FaceId f, std::size_t k, std::uint16_t r, bool lands) {
+    for_each_meeting([&](FaceId f, std::size_t k, RegionIndex r, bool lands) {
       const auto& v = closed_.faces[f];
       (lands ? concave : convex)[r] += distance(closed_.points[v[k]], closed_.points[v[(k + 1) % 3]]);
     });
-    for (std::uint16_t r = 0; r < regions_.size(); ++r) {
+    std::size_t n_planes = 0;
+    for (RegionIndex r = 0; r < regions_.size(); ++r) {
       const SideRegion& region = regions_[r];
       const bool is_needed = is_cut_of_body(region);
       const bool meets_layers = concave[r] + convex[r] > 0;
       if (!region.is_flat && (meets_layers || is_needed)) {
         refuse_uneven(r, is_needed);
-      } else if (is_needed || (options_.lands && concave[r] > 0)) {
+      } else if (is_needed || (options_.lands && concave[r] > 0 && n_planes < mesh::kNoPlane)) {
         lands_[r] = 1;
+        ++n_planes;
       } else if (meets_layers && options_.lands) {
         notes_.push_back(fmt::format(
             "{}: the wall turns away from it, so no layers can land on it: they end at its edge, as beside nolayer",
@@ -139,7 +142,7 @@ class Opening {
     for (bool any = true; any;) {
       any = false;
       for (const SideEdge& edge : edges_) {
-        const std::uint16_t other = region_at(VertexId(edge.to), VertexId(edge.from));
+        const RegionIndex other = region_at(VertexId(edge.to), VertexId(edge.from));
         if (other == kNoRegion || lands_[other] || !lands_[edge.region]) continue;
         const mesh::SidePlane &p = planes_[edge.region], &q = planes_[other];
         if (p.normal != q.normal || p.offset != q.offset) continue;
@@ -149,26 +152,29 @@ class Opening {
     }
   }
 
-  void refuse_uneven(std::uint16_t r, bool is_needed) {
+  void refuse_uneven(RegionIndex r, bool is_needed) {
     const std::string what =
-        fmt::format("{} is not flat: its points lie up to {:.3g} off a plane", name(r), regions_[r].off_plane);
+        regions_[r].is_curved
+            ? fmt::format("{} is curved", name(r))
+            : fmt::format("{} is not flat: its points lie up to {:.3g} off a plane", name(r), regions_[r].off_plane);
     if (is_needed) {
       throw GeometryError(what + "; a plane of symmetry has to be flat, or its patch of another type");
     }
-    notes_.push_back(what + ": layers end at its edge, as beside nolayer");
+    const std::string note = what + ": layers end at its edge, as beside nolayer";
+    if (notes_.empty() || notes_.back() != note) notes_.push_back(note);
   }
 
   bool stays(FaceId f) const { return region_of_[f] == kNoRegion || !lands_[region_of_[f]]; }
 
   /// Regions round vertices at which the faces that stay form more than one fan.
-  std::vector<std::uint16_t> pinched_regions() const {
-    std::vector<std::uint16_t> pinched;
-    std::map<std::uint32_t, std::uint16_t> seen;  // vertices from which a boundary edge leaves
+  std::vector<RegionIndex> pinched_regions() const {
+    std::vector<RegionIndex> pinched;
+    std::map<std::uint32_t, RegionIndex> seen;  // vertices from which a boundary edge leaves
     for (const FaceId f : closed_.faces.ids()) {
       if (!stays(f)) continue;
       const auto& v = closed_.faces[f];
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint16_t r = region_at(v[(k + 1) % 3], v[k]);
+        const RegionIndex r = region_at(v[(k + 1) % 3], v[k]);
         if (r == kNoRegion || !lands_[r]) continue;
         const auto [found, is_new] = seen.emplace(v[k].index(), r);
         if (is_new) continue;
@@ -185,14 +191,14 @@ class Opening {
     }
     std::sort(pinched.begin(), pinched.end());
     pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
-    std::erase_if(pinched, [&](std::uint16_t r) { return is_cut_of_body(regions_[r]); });
+    std::erase_if(pinched, [&](RegionIndex r) { return is_cut_of_body(regions_[r]); });
     return pinched;
   }
 
   void number_planes(OpenWall& result) {
     plane_number_.assign(regions_.size(), mesh::kNoPlane);
     auto& planes = result.planes.planes;
-    for (std::uint16_t r = 0; r < regions_.size(); ++r) {
+    for (RegionIndex r = 0; r < regions_.size(); ++r) {
       if (!lands_[r]) continue;
       const auto same = std::find_if(planes.begin(), planes.end(), [&](const mesh::SidePlane& p) {
         return p.normal == planes_[r].normal && p.offset == planes_[r].offset;
@@ -241,7 +247,7 @@ class Opening {
     if (planes.empty()) return;
     IdVector<VertexId, std::array<mesh::PlaneIndex, 3>> of_closed(closed_.points.size(),
                                                                   {mesh::kNoPlane, mesh::kNoPlane, mesh::kNoPlane});
-    for (std::uint16_t r = 0; r < regions_.size(); ++r) {
+    for (RegionIndex r = 0; r < regions_.size(); ++r) {
       if (!lands_[r]) continue;
       const mesh::PlaneIndex plane = plane_number_[r];
       for (const FaceId f : regions_[r].faces) {
@@ -259,7 +265,7 @@ class Opening {
     for (const FaceId f : result.face.ids()) {
       const auto& v = closed_.faces[result.face[f]];
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint16_t r = region_at(v[(k + 1) % 3], v[k]);
+        const RegionIndex r = region_at(v[(k + 1) % 3], v[k]);
         if (r != kNoRegion && lands_[r]) planes.of_edge[HalfedgeId(3 * f.index() + k)] = plane_number_[r];
       }
     }
@@ -270,7 +276,7 @@ class Opening {
     if (result.planes.empty()) return;
     std::vector<char> is_held(closed_.points.size(), 0);
     bool any = false;
-    for_each_meeting([&](FaceId f, std::size_t k, std::uint16_t r, bool lands) {
+    for_each_meeting([&](FaceId f, std::size_t k, RegionIndex r, bool lands) {
       if (lands || !lands_[r]) return;
       any = true;
       for (const VertexId v : {closed_.faces[f][k], closed_.faces[f][(k + 1) % 3]}) is_held[v.index()] = 1;
@@ -282,21 +288,27 @@ class Opening {
   /// Vertices that are gone at which edges between planes end: where not just two planes meet, both along one line.
   void find_corners(OpenWall& result) const {
     if (result.planes.planes.size() < 3) return;
-    std::map<std::uint32_t, std::map<std::array<mesh::PlaneIndex, 2>, int>> seams;  // by vertex: edges by planes
+    // By vertex and planes: edges there, and those that leave it less those that arrive, in the first plane.
+    struct Edges {
+      int n = 0, balance = 0;
+    };
+    std::map<std::uint32_t, std::map<std::array<mesh::PlaneIndex, 2>, Edges>> seams;
     for (const SideEdge& edge : edges_) {
-      const std::uint16_t other = region_at(VertexId(edge.to), VertexId(edge.from));
+      const RegionIndex other = region_at(VertexId(edge.to), VertexId(edge.from));
       if (other == kNoRegion || !lands_[edge.region] || !lands_[other]) continue;
       // Edges between cuts of a body run within it.
       if (is_cut_of_body(regions_[edge.region]) || is_cut_of_body(regions_[other])) continue;
       const mesh::PlaneIndex p = plane_number_[edge.region], q = plane_number_[other];
       if (p >= q) continue;
-      for (const std::uint32_t v : {edge.from, edge.to}) ++seams[v][{p, q}];
+      Edges &from = seams[edge.from][{p, q}], &to = seams[edge.to][{p, q}];
+      ++from.n, --from.balance;
+      ++to.n, ++to.balance;
     }
     for (const VertexId v : result.vertex) seams.erase(v.index());
     for (const auto& [v, pairs] : seams) {
       mesh::PlaneCorner corner{closed_.points[VertexId(v)], {}};
-      for (const auto& [pair, n] : pairs) {
-        if (n == 1) corner.edges.push_back(pair);
+      for (const auto& [pair, edges] : pairs) {
+        if (edges.n == 1) corner.edges.push_back({pair, edges.balance});
       }
       if (!corner.edges.empty()) result.planes.corners.push_back(corner);
     }
@@ -307,7 +319,7 @@ class Opening {
   const IdVector<FaceId, char>& is_wetted_;
   const OpenWallOptions& options_;
   std::vector<mesh::SidePlane> planes_;  // (n_regions) into the domain
-  IdVector<FaceId, std::uint16_t> region_of_;
+  IdVector<FaceId, RegionIndex> region_of_;
   std::vector<SideEdge> edges_;
   std::vector<char> lands_;
   std::vector<mesh::PlaneIndex> plane_number_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "nearwall/geometry/angles.h"
@@ -16,6 +17,9 @@ namespace {
 
 /// Angle between the normals of two neighbours up to which both belong to one region [rad]: about a degree.
 constexpr double kBend = 0.02;
+
+/// Angle between two flat parts from which they are two sides of a domain, not pieces of a curved one [rad].
+constexpr double kSidesBend = geometry::to_radians(20);
 
 /// Distance from the plane over the extent of the region up to which it is flat.
 constexpr double kFlatness = 1e-5;
@@ -48,9 +52,23 @@ class Grouping {
     for (std::size_t i = 1; i < edges.size(); ++i) {
       const SideEdge &a = edges[i - 1], &b = edges[i];
       if (a.low != b.low || a.high != b.high) continue;
-      if (!is_needle(a.face) && !is_needle(b.face) && bend_little(a.face, b.face)) join(a.face, b.face);
+      if (!is_needle(a.face) && !is_needle(b.face) && bend_by(a.face, b.face) <= kBend) join(a.face, b.face);
     }
     place_needles(edges);
+  }
+
+  /// Roots of parts that go on over edges which bend, but by less than sides of a domain do: pieces of curved patches.
+  std::set<std::uint32_t> curved() {
+    std::set<std::uint32_t> roots;
+    const std::vector<SideEdge> edges = shared_edges();
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+      const SideEdge &a = edges[i - 1], &b = edges[i];
+      if (a.low != b.low || a.high != b.high || root(a.face.index()) == root(b.face.index())) continue;
+      if (is_needle(a.face) || is_needle(b.face) || bend_by(a.face, b.face) >= kSidesBend) continue;
+      roots.insert(root(a.face.index()));
+      roots.insert(root(b.face.index()));
+    }
+    return roots;
   }
 
   /// Parts of one role, in the order of their first faces; those of one plane name the same number.
@@ -111,10 +129,10 @@ class Grouping {
     return 2 * geometry::triangle_area(a, b, c) * kBend <= noise_ * longest;
   }
 
-  bool bend_little(FaceId f, FaceId g) const {
+  double bend_by(FaceId f, FaceId g) const {
     const auto [a, b, c] = surface_.triangle(f);
     const auto [p, q, r] = surface_.triangle(g);
-    return geometry::angle_between(geometry::triangle_normal(a, b, c), geometry::triangle_normal(p, q, r)) <= kBend;
+    return geometry::angle_between(geometry::triangle_normal(a, b, c), geometry::triangle_normal(p, q, r));
   }
 
   /// Each needle goes to one neighbour that has its place already: it must not join two of them.
@@ -218,7 +236,9 @@ void unite_planes(const mesh::SurfaceMesh& surface, std::vector<SideRegion>& reg
 
 std::vector<SideRegion> find_side_regions(const mesh::SurfaceMesh& surface, const IdVector<PatchId, SideRole>& role) {
   std::vector<std::uint32_t> plane;
-  std::vector<SideRegion> regions = Grouping(surface, role).regions(plane);
+  Grouping grouping(surface, role);
+  std::vector<SideRegion> regions = grouping.regions(plane);
+  const std::set<std::uint32_t> curved = grouping.curved();
   std::map<std::uint32_t, SideRegion> whole;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     auto& faces = whole[plane[i]].faces;
@@ -229,7 +249,8 @@ std::vector<SideRegion> find_side_regions(const mesh::SurfaceMesh& surface, cons
     const SideRegion& all = whole[plane[i]];
     regions[i].plane = all.plane;
     regions[i].off_plane = all.off_plane;
-    regions[i].is_flat = all.is_flat;
+    regions[i].is_curved = curved.contains(plane[i]);
+    regions[i].is_flat = all.is_flat && !regions[i].is_curved;
   }
   unite_planes(surface, regions);
   return regions;

@@ -11,8 +11,7 @@ namespace nearwall::volume {
 /// \throws InputError, FillFailed
 void check_boundary(const FillBoundary& boundary);
 
-/// Parts of the boundary that hang together by edges of two triangles: one triangle of each, and those of it that come
-/// next, for a try if the first does not do.
+/// Parts of the boundary that hang together by edges of two triangles.
 struct BoundaryParts {
   std::vector<std::uint32_t> part;  ///< (n_triangles)
   std::uint32_t n_parts = 0;

@@ -1,10 +1,12 @@
 #include "nearwall/volume/outer_boundary.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/geometry/measures.h"
 #include "nearwall/mesh/topology.h"
 #include "nearwall/search/self_intersection.h"
 
@@ -96,6 +98,19 @@ void append(const mesh::SurfaceMesh& far, surface::OpenWall& wall) {
   for (const std::string& name : far.patch_names) surface.patch_names.push_back(unused(name, surface));
 }
 
+/// Whether all points lie in the sphere that touches the far field from within, if it is one.
+bool is_within_sphere(const surface::OpenWall& wall, const FarField& far_field, const mesh::SurfaceMesh& far) {
+  if (far_field.shape != FarFieldShape::Sphere) return true;
+  double radius = far_field.radius;
+  for (const FaceId f : far.faces.ids()) {
+    const auto [a, b, c] = far.triangle(f);
+    radius = std::min(radius, std::abs(dot(geometry::triangle_normal(a, b, c), a - far_field.centre)));
+  }
+  const auto& points = wall.surface.points;
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Vec3& p) { return distance(p, far_field.centre) < radius; });
+}
+
 void require_enclosed(const surface::OpenWall& wall, std::size_t n_wall_faces) {
   const mesh::SurfaceMesh& surface = wall.surface;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -118,7 +133,7 @@ void add_far_field(const FarField& far_field, surface::OpenWall& wall) {
   const std::size_t n_wall_faces = wall.surface.faces.size();
   const geometry::Box inner = geometry::bounding_box(wall.surface.points.raw());
   if (!geometry::bounding_box(far.points.raw()).contains(inner.low) ||
-      !geometry::bounding_box(far.points.raw()).contains(inner.high)) {
+      !geometry::bounding_box(far.points.raw()).contains(inner.high) || !is_within_sphere(wall, far_field, far)) {
     throw InputError("the surface does not lie within the far field; give it a larger radius, or let it be \"auto\"");
   }
   if (!wall.planes.empty()) mark(far, numbers, wall.planes);

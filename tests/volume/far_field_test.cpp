@@ -271,7 +271,8 @@ TEST(FarFieldSurface, RefusesWhatMakesNoDomain) {
   refuses(sphere(1, {{1, 0.25, 1}}), "must lie on the symmetry plane y = 0.25");
   refuses(sphere(1, {{3, 0, 1}}), "axis 3");
   refuses(sphere(1, {{0, kCentre.x(), 0}}), "side");
-  refuses(sphere(1, {{0, kCentre.x(), 1}, {0, kCentre.x(), -1}}), "two symmetry planes are normal to x");
+  refuses(sphere(1, {{0, kCentre.x(), 1}, {0, kCentre.x(), -1}}), "no room between two symmetry planes");
+  refuses(sphere(1, {{0, kCentre.x(), 1}, {0, kCentre.x(), 1}}), "have the domain on the same side");
   refuses(box(1, {{0, 100, 1}}), "does not cut the box");
   refuses(box(1, {{0, -100, 1}}), "does not cut the box");
   refuses(box(1, {{0, std::nan(""), 1}}), "not finite");

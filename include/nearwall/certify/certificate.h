@@ -39,6 +39,7 @@ struct FrontSurface {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< (n_triangles + n_rest)
   std::vector<FrontFaceId> face;                        ///< (n_triangles) front face below
   std::vector<mesh::PlaneIndex> rest_plane;             ///< (n_rest)
+  bool is_closed = true;                                ///< false: the rest of some plane could not be told
   /// (n_rest) a front face at each corner; invalid at corners on a seam between two planes.
   std::vector<std::array<FrontFaceId, 3>> rest_beside;
 };
@@ -67,7 +68,9 @@ std::vector<FrontFaceId> turned_sides(const mesh::Front& front, const mesh::Line
 /// points; where two planes meet, straight from the end of one chain of edges to the next. Normals of these triangles
 /// point into the domain, as those of the front. Exact in the plane, for planes along no axis in their projection along
 /// the longest component of the normal. Source: docs/theory/planes.md.
-/// \returns  front faces whose edges on a plane meet each other or go round nothing: then the surface is not closed
+/// \returns  front faces whose edges on a plane meet each other or go round nothing; none, too, where only edges
+/// between
+///           planes are wrong: `is_closed` tells
 /// Cost: O(n log n) for n edges on planes.
 std::vector<FrontFaceId> close_front(const mesh::Front& front, const mesh::SidePlanes& planes, FrontSurface& surface);
 

@@ -39,7 +39,13 @@ inline constexpr PlaneIndex kNoPlane = 0xffff;
 /// A point in which planes meet.
 struct PlaneCorner {
   Vec3 point;
-  std::vector<std::array<PlaneIndex, 2>> edges;  ///< pairs of planes, the smaller first, whose edges end here
+  /// The edge between two planes, the first with the smaller number, ends here.
+  struct Edge {
+    std::array<PlaneIndex, 2> planes{};
+    /// −1: with the rest of the first plane to its left it leaves the corner; 1: it arrives there; 0: unknown.
+    int balance = 0;
+  };
+  std::vector<Edge> edges;
 };
 
 /// The planes at which an open wall ends, and which of its vertices and edges lie on them.

@@ -14,7 +14,8 @@ namespace nearwall {
 /// layers that are blocked make it less.
 struct Forecast {
   std::uint64_t n_points = 0;
-  std::uint64_t n_cells = 0;
+  std::uint64_t n_cells = 0;       ///< of the layers
+  std::uint64_t n_tetrahedra = 0;  ///< that fill the rest, a guess; 0 where no fill is asked for
   std::uint64_t memory_bytes = 0;  ///< peak while the mesh file is written
   std::uint64_t disk_bytes = 0;    ///< all files
   geometry::Box box;               ///< of the wall, in the case's unit
@@ -28,6 +29,10 @@ struct Forecast {
 Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings>& patches,
                   const IdVector<FaceId, char>& is_wetted, std::size_t n_fan_faces = 0,
                   const IdVector<VertexId, Level>& asked_levels = {});
+
+/// Adds what fills the rest: 1 to 3 tetrahedra over (growth − 1) for each triangle were seen, as docs/theory/fill.md
+/// has it; 2.5 are counted.
+void add_fill(std::size_t n_triangles, double growth, Forecast& forecast);
 
 /// A sentence or two: cells, points, memory, disk, bounding box.
 std::string describe(const Forecast& forecast);

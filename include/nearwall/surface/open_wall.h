@@ -17,7 +17,9 @@ struct OpenWall {
   std::vector<std::vector<FaceId>> side_faces;  ///< (n_planes) faces of the closed surface that were taken out
   std::vector<PatchId> patch;                   ///< (n_planes) of the first of these faces
   std::vector<SideRole> role;                   ///< (n_planes)
-  std::vector<std::string> notes;               ///< sides on which layers do not land, and why
+  /// (n_faces) 1: behind a plane of symmetry, where the fluid does not reach; empty: none.
+  IdVector<FaceId, char> is_cut_off;
+  std::vector<std::string> notes;  ///< sides on which layers do not land, and why
 };
 
 struct OpenWallOptions {
