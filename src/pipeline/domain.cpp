@@ -80,6 +80,15 @@ std::vector<volume::SymmetryPlane> symmetry_planes(const surface::OpenWall& wall
   return planes;
 }
 
+bool has_opposite_planes(const volume::FarField& far) {
+  for (const auto& p : far.planes) {
+    for (const auto& q : far.planes) {
+      if (p.axis == q.axis && p.side != q.side) return true;
+    }
+  }
+  return false;
+}
+
 volume::FarField far_field(const surface::OpenWall& wall, const Case& settings) {
   const FarFieldSettings& asked = settings.volume.far_field;
   const geometry::Box box = geometry::bounding_box(wall.surface.points.raw());
@@ -87,11 +96,7 @@ volume::FarField far_field(const surface::OpenWall& wall, const Case& settings) 
   far.shape = asked.shape == FarFieldShape::Box ? volume::FarFieldShape::Box : volume::FarFieldShape::Sphere;
   far.planes = symmetry_planes(wall, settings);
   // Between two planes there is no room for a sphere.
-  for (const auto& p : far.planes) {
-    for (const auto& q : far.planes) {
-      if (p.axis == q.axis && p.side != q.side) far.shape = volume::FarFieldShape::Box;
-    }
-  }
+  if (has_opposite_planes(far)) far.shape = volume::FarFieldShape::Box;
   far.centre = asked.centre.value_or(box.centre());
   for (const auto& plane : far.planes) far.centre[plane.axis] = plane.position;
   far.radius = asked.radius.value_or(kFarFieldDiagonals * box.diagonal());
@@ -259,7 +264,11 @@ surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
   const bool is_cut = settings.surface.fluid == surface::FluidSide::Outside && !wall.planes.empty();
   if (has_far_field(settings) || is_cut) {
     const std::size_t n_patches = wall.surface.patch_names.size(), n_faces = wall.surface.faces.size();
-    volume::add_far_field(far_field(wall, settings), wall);
+    const volume::FarField far = far_field(wall, settings);
+    if (has_opposite_planes(far) && settings.volume.far_field.shape == FarFieldShape::Sphere) {
+      wall.notes.push_back("between two planes of symmetry there is no room for a sphere: the far field is a box");
+    }
+    volume::add_far_field(far, wall);
     if (!wall.planes.empty()) leave_hollows(wall, n_faces);
     for (std::size_t p = n_patches; p < wall.surface.patch_names.size(); ++p) {
       const bool is_plane = std::find(wall.patch.begin(), wall.patch.end(), PatchId(p)) != wall.patch.end();
@@ -272,6 +281,29 @@ surface::OpenWall open_wall(Case& settings, surface::Admission& admission) {
       gap_text(wall, gap) +
       "; look whether its open edges all lie on planes of symmetry, or give the sides another type than "
       "symmetry, inlet, outlet");
+}
+
+void require_domain(const surface::OpenWall& wall, const mesh::Topology& topology,
+                    const IdVector<FaceId, char>& is_wetted, bool fluid_is_inside) {
+  if (wall.planes.empty()) return;
+  std::vector<FrontFaceId> wrong;
+  const certify::FrontSurface base = closed_base(wall, wrong);
+  const auto refuse = [&](FaceId f, const char* what) {
+    const Vec3& p = wall.surface.points[wall.surface.faces[f][0]];
+    throw GeometryError(fmt::format("patch \"{}\" {} near ({:.6g}, {:.6g}, {:.6g}); look at the surface there",
+                                    wall.surface.patch_names[wall.surface.face_patch[f]], what, p.x(), p.y(), p.z()));
+  };
+  const auto meeting = certify::front_intersections(base);
+  if (!meeting.empty()) refuse(FaceId(meeting.front().first.index()), "meets a side of the domain");
+  auto component = mesh::connected_components(topology);
+  for (const FaceId f : component.ids()) {
+    if (!is_wetted[f]) component[f] = ComponentId();
+  }
+  const auto unreached = certify::covered_twice(mesh::plain_front(wall.surface), base, component, fluid_is_inside);
+  if (unreached.empty()) return;
+  for (const FaceId f : component.ids()) {
+    if (component[f] == unreached.front()) refuse(f, "lies where the fluid does not reach");
+  }
 }
 
 }  // namespace nearwall::pipeline

@@ -21,4 +21,9 @@ mesh::SurfaceMesh with_flat_sides(mesh::SurfaceMesh surface, Case& settings, std
 /// \throws GeometryError  if the sides do not close what they bound, InputError from the far field
 surface::OpenWall open_wall(Case& settings, surface::Admission& admission);
 
+/// Whether the domain is one before any layer is in it: what the sides close does not meet itself, and the fluid
+/// reaches all that is to have layers. \throws GeometryError  if not, with a place
+void require_domain(const surface::OpenWall& wall, const mesh::Topology& topology,
+                    const IdVector<FaceId, char>& is_wetted, bool fluid_is_inside);
+
 }  // namespace nearwall::pipeline

@@ -68,8 +68,9 @@ Prepared prepare(const Case& settings, ProgressSink& progress) {
     const FaceId input = admission.input_face[closed];
     if (input.index() < n_faces_read) input_face[f] = input;  // else a cap that was made
   }
-  progress.end_stage();
   const bool is_inside = has_outer || settings.surface.fluid == surface::FluidSide::Inside;
+  require_domain(wall, topology, is_wetted, is_inside);
+  progress.end_stage();
   return {std::move(effective),
           std::move(admission),
           std::move(wall),

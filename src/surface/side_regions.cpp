@@ -21,6 +21,9 @@ constexpr double kBend = 0.02;
 /// Angle between two flat parts from which they are two sides of a domain, not pieces of a curved one [rad].
 constexpr double kSidesBend = geometry::to_radians(20);
 
+/// Share of the outline from which a part that goes on over little bends is a piece of a curved patch.
+constexpr double kMostOfOutline = 0.5;
+
 /// Distance from the plane over the extent of the region up to which it is flat.
 constexpr double kFlatness = 1e-5;
 
@@ -57,16 +60,35 @@ class Grouping {
     place_needles(edges);
   }
 
-  /// Roots of parts that go on over edges which bend, but by less than sides of a domain do: pieces of curved patches.
+  /// Roots of parts of which most of the outline goes on, in the same role, over edges that bend by less than sides of
+  /// a domain do: pieces of curved patches.
   std::set<std::uint32_t> curved() {
-    std::set<std::uint32_t> roots;
+    struct Outline {
+      double whole = 0, little = 0;
+    };
+    std::map<std::uint32_t, Outline> outlines;
     const std::vector<SideEdge> edges = shared_edges();
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-      const SideEdge &a = edges[i - 1], &b = edges[i];
-      if (a.low != b.low || a.high != b.high || root(a.face.index()) == root(b.face.index())) continue;
-      if (is_needle(a.face) || is_needle(b.face) || bend_by(a.face, b.face) >= kSidesBend) continue;
-      roots.insert(root(a.face.index()));
-      roots.insert(root(b.face.index()));
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const SideEdge& a = edges[i];
+      const bool is_last = i + 1 == edges.size() || edges[i + 1].low != a.low || edges[i + 1].high != a.high;
+      const double length = distance(surface_.points[VertexId(a.low)], surface_.points[VertexId(a.high)]);
+      if (is_last) {
+        outlines[root(a.face.index())].whole += length;
+        continue;
+      }
+      const SideEdge& b = edges[++i];
+      if (root(a.face.index()) == root(b.face.index())) continue;
+      const bool bends_little = role_of(a.face) == role_of(b.face) && !is_needle(a.face) && !is_needle(b.face) &&
+                                bend_by(a.face, b.face) < kSidesBend;
+      for (const FaceId f : {a.face, b.face}) {
+        Outline& outline = outlines[root(f.index())];
+        outline.whole += length;
+        if (bends_little) outline.little += length;
+      }
+    }
+    std::set<std::uint32_t> roots;
+    for (const auto& [name, outline] : outlines) {
+      if (outline.little > kMostOfOutline * outline.whole) roots.insert(name);
     }
     return roots;
   }

@@ -31,7 +31,8 @@ std::string unused(std::string name, const mesh::SurfaceMesh& surface) {
 }
 
 /// Number of a plane among those of the wall, to which it is added if it is not there.
-mesh::PlaneIndex number_of(const mesh::SidePlane& side, surface::OpenWall& wall) {
+/// \param patch  name of its patch then
+mesh::PlaneIndex number_of(const mesh::SidePlane& side, const std::string& patch, surface::OpenWall& wall) {
   auto& planes = wall.planes.planes;
   const auto same = std::find_if(planes.begin(), planes.end(), [&](const mesh::SidePlane& p) {
     return p.normal == side.normal && p.offset == side.offset;
@@ -48,7 +49,7 @@ mesh::PlaneIndex number_of(const mesh::SidePlane& side, surface::OpenWall& wall)
   }
   planes.push_back(side);
   wall.side_faces.emplace_back();
-  wall.patch.push_back(wall.surface.patch_names.push_back(unused("symmetry", wall.surface)));
+  wall.patch.push_back(wall.surface.patch_names.push_back(unused(patch, wall.surface)));
   wall.role.push_back(surface::SideRole::Symmetry);
   if (wall.planes.of_vertex.empty()) {
     wall.planes.of_vertex.resize(surface.points.size(), {mesh::kNoPlane, mesh::kNoPlane, mesh::kNoPlane});
@@ -129,7 +130,11 @@ void require_enclosed(const surface::OpenWall& wall, std::size_t n_wall_faces) {
 void add_far_field(const FarField& far_field, surface::OpenWall& wall) {
   const mesh::SurfaceMesh far = far_field_surface(far_field);
   std::vector<mesh::PlaneIndex> numbers;
-  for (const SymmetryPlane& plane : far_field.planes) numbers.push_back(number_of(side_of(plane), wall));
+  for (const SymmetryPlane& plane : far_field.planes) {
+    const std::string patch =
+        far_field.planes.size() > 1 ? fmt::format("symmetry-{}", "xyz"[plane.axis]) : std::string("symmetry");
+    numbers.push_back(number_of(side_of(plane), patch, wall));
+  }
   const std::size_t n_wall_faces = wall.surface.faces.size();
   const geometry::Box inner = geometry::bounding_box(wall.surface.points.raw());
   if (!geometry::bounding_box(far.points.raw()).contains(inner.low) ||

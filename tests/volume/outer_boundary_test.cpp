@@ -161,7 +161,10 @@ TEST(AddFarField, RefusesWhatDoesNotGoRoundTheWall) {
   const OpenWall wall = closed_wall(cube());
   expect_refused(sphere_of(0.2), wall, "within the far field");
   // A sphere whose box holds the cube's, but not its corners: √0.75 is beyond the radius.
-  expect_refused(sphere_of(0.7), wall, "cuts through");
+  expect_refused(sphere_of(0.7), wall, "within the far field");
+  FarField beyond = sphere_of(5);
+  beyond.centre = Vec3(4, 4, 4);
+  expect_refused(beyond, wall, "within the far field");
   FarField aside = sphere_of(5);
   aside.centre = Vec3(20, 0, 0);
   expect_refused(aside, wall, "within the far field");

@@ -19,7 +19,7 @@ struct SideRegion {
   mesh::SidePlane plane;  ///< the normal is that of its faces
   double off_plane = 0;   ///< largest distance of a vertex from the plane [length]
   bool is_flat = false;
-  bool is_curved = false;  ///< it goes on, in the same role, over an edge that bends little: then it is not flat
+  bool is_curved = false;  ///< most of its outline goes on over little bends, in the same role: not flat
 };
 
 /// Connected parts of the patches with a role, divided where they bend; parts of different roles that lie beside each
