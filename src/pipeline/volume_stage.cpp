@@ -25,6 +25,26 @@ struct OldSide {
   std::unique_ptr<search::WallTree> tree;
 };
 
+/// Edges between old faces of different patches on each plane.
+volume::PlaneBorders borders_on_planes(const Prepared& prepared) {
+  const mesh::SurfaceMesh& closed = prepared.admission.surface;
+  volume::PlaneBorders borders;
+  for (const auto& faces : prepared.wall.side_faces) {
+    borders.emplace_back();
+    std::map<std::pair<VertexId, VertexId>, PatchId> patch_at;
+    for (const FaceId f : faces) {
+      const auto& v = closed.faces[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto ends = std::minmax({v[k], v[(k + 1) % 3]});
+        const auto [found, is_new] = patch_at.emplace(ends, closed.face_patch[f]);
+        if (is_new || found->second == closed.face_patch[f]) continue;
+        borders.back().push_back({closed.points[ends.first], closed.points[ends.second]});
+      }
+    }
+  }
+  return borders;
+}
+
 void require_certified(const volume::DomainCertificate& c) {
   if (c.is_valid() && c.closure() <= kLargestClosure) return;
   throw InternalError(
@@ -64,7 +84,10 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
   const VolumeSettings& settings = prepared.settings.volume;
   Volume result;
   try {
-    result.rest = staged(progress, "sides", [&] { return volume::rest_boundary(layers, wall, {settings.growth, {}}); });
+    const volume::PlaneBorders borders = borders_on_planes(prepared);
+    result.rest = staged(progress, "sides", [&] {
+      return volume::rest_boundary(layers, wall, {settings.growth, {}}, borders);
+    });
   } catch (const InputError& error) {
     progress.end_stage();
     return VolumeFailure{fmt::format("the sides of the domain cannot be meshed: {}", error.what()), {}, {}};

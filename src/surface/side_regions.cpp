@@ -19,7 +19,7 @@ namespace {
 constexpr double kBend = 0.02;
 
 /// Angle between two flat parts from which they are two sides of a domain, not pieces of a curved one [rad].
-constexpr double kSidesBend = geometry::to_radians(20);
+constexpr double kSidesBend = geometry::to_radians(30);
 
 /// Share of the outline from which a part that goes on over little bends is a piece of a curved patch.
 constexpr double kMostOfOutline = 0.5;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 #include "nearwall/core/expect.h"
 #include "nearwall/mesh/seams.h"
+#include "nearwall/planar/crossing_edges.h"
 #include "nearwall/planar/graded_points.h"
 #include "nearwall/planar/region.h"
 #include "nearwall/planar/size_field.h"
@@ -25,8 +27,13 @@ constexpr double kShareOfSeam = 0.5;
 
 class RestBuilder {
  public:
-  RestBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes)
-      : layers_(layers), wall_(wall), sizes_(sizes), front_(certify::front_surface(layers.front(), layers.lines())) {
+  RestBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes,
+              const PlaneBorders& borders)
+      : layers_(layers),
+        wall_(wall),
+        sizes_(sizes),
+        borders_(borders),
+        front_(certify::front_surface(layers.front(), layers.lines())) {
     largest_ = sizes.largest.value_or(std::numeric_limits<double>::infinity());
   }
 
@@ -146,6 +153,55 @@ class RestBuilder {
     return flat;
   }
 
+  /// Whether a place is in the region to the left of edges: a ray crosses them an odd number of times.
+  static bool is_inside(const Flat& flat, std::size_t n_edges, const planar::Point2& at) {
+    bool is_odd = false;
+    for (std::size_t i = 0; i < n_edges; ++i) {
+      const planar::Point2 &a = flat.points[flat.edges[i][0]], &b = flat.points[flat.edges[i][1]];
+      if ((a.v > at.v) == (b.v > at.v)) continue;
+      if (at.u < a.u + (b.u - a.u) * ((at.v - a.v) / (b.v - a.v))) is_odd = !is_odd;
+    }
+    return is_odd;
+  }
+
+  /// Borders as slits, where they meet no edge but at its ends and lie in the region.
+  void add_borders(mesh::PlaneIndex p, Flat& flat) {
+    std::map<std::pair<double, double>, std::uint32_t> at;
+    for (std::uint32_t i = 0; i < flat.points.size(); ++i) at.emplace(std::pair(flat.points[i].u, flat.points[i].v), i);
+    Flat tried = flat;
+    const auto number = [&](const Vec3& place) {
+      const auto [u, v] = wall_.planes->planes[p].flat(place);
+      const auto [found, is_new] = at.emplace(std::pair(u, v), static_cast<std::uint32_t>(tried.points.size()));
+      if (is_new) tried.points.push_back({u, v});
+      return found->second;
+    };
+    for (const auto& [begin, end] : borders_[p]) {
+      const std::uint32_t from = number(begin), to = number(end);
+      tried.edges.push_back({from, to});
+    }
+    const std::size_t n = flat.edges.size(), n_points = flat.points.size();
+    std::vector<char> is_kept(tried.edges.size(), 1);
+    for (const auto& [i, j] : planar::crossing_edges(tried.points, tried.edges)) is_kept[j] = 0;
+    std::vector<std::uint32_t> added(tried.points.size(), 0);
+    const auto own = [&](std::uint32_t point) {
+      if (point < n_points) return point;
+      if (added[point] == 0) {
+        const planar::Point2& place = tried.points[point];
+        added[point] = static_cast<std::uint32_t>(flat.points.size());
+        flat.points.push_back(place);
+        flat.original.push_back(add_point(wall_.planes->planes[p].lifted(place.u, place.v)));
+      }
+      return added[point];
+    };
+    for (std::size_t i = n; i < tried.edges.size(); ++i) {
+      const planar::Point2 &a = tried.points[tried.edges[i][0]], &b = tried.points[tried.edges[i][1]];
+      if (!is_kept[i] || !is_inside(flat, n, {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)})) continue;
+      const std::uint32_t from = own(tried.edges[i][0]), to = own(tried.edges[i][1]);
+      flat.edges.push_back({from, to});
+      flat.edges.push_back({to, from});
+    }
+  }
+
   /// Fronts near the plane that do not touch it.
   std::vector<planar::SizeSource> sources_near(const mesh::SidePlane& plane) const {
     std::vector<planar::SizeSource> sources;
@@ -162,6 +218,7 @@ class RestBuilder {
     if (edges_[p].empty()) return;
     const mesh::SidePlane& plane = wall_.planes->planes[p];
     Flat flat = flat_edges(p);
+    if (p < borders_.size()) add_borders(p, flat);
     const planar::GradedSize size(flat.points, flat.edges, {slope(), largest_}, sources_near(plane));
     const planar::RefinedRegion region =
         planar::refine_region(flat.points, flat.edges, [&](const planar::Point2& at) { return size(at); });
@@ -205,6 +262,7 @@ class RestBuilder {
   const mesh::LayerMesh& layers_;
   const certify::CertifiedWall& wall_;
   const RestSizes& sizes_;
+  const PlaneBorders& borders_;
   const FrontSurface front_;
   double largest_ = 0;
   std::vector<double> size_;  // (n_front_points)
@@ -214,8 +272,9 @@ class RestBuilder {
 
 }  // namespace
 
-RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes) {
-  return RestBuilder(layers, wall, sizes).build();
+RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes,
+                           const PlaneBorders& borders) {
+  return RestBuilder(layers, wall, sizes, borders).build();
 }
 
 }  // namespace nearwall::volume

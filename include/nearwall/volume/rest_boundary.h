@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct RestBoundary {
   std::vector<mesh::PlaneIndex> rest_plane;  ///< (n_triangles − n_front)
 };
 
+/// Lines in planes that new triangles keep: borders between patches. By plane; those of one line share their ends'
+/// bits.
+using PlaneBorders = std::vector<std::vector<std::array<Vec3, 2>>>;
+
 struct RestSizes {
   double growth = 1.3;            ///< ratio of an edge to the next one away from the layers, > 1
   std::optional<double> largest;  ///< [length]
@@ -30,9 +35,10 @@ struct RestSizes {
 
 /// Triangles on planes are as large as the edges of the layers beside them, and of fronts near the plane, and grow from
 /// there at the asked rate; edges between two planes first. Edges of the layers are never split.
-/// \param face_component  (n_wall_faces) invalid where the fluid does not reach: such faces bound nothing
-/// \pre the layers are certified.
-/// Cost: O(n log n).    Source: docs/theory/planes.md
-RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes);
+/// Borders are kept as edges where they lie in what is left of their plane; those that meet the layers' trace or an
+/// edge between two planes are not. \param borders  (n_planes), or empty \pre the layers are certified. Cost: O(n log
+/// n).    Source: docs/theory/planes.md
+RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes,
+                           const PlaneBorders& borders = {});
 
 }  // namespace nearwall::volume
