@@ -234,6 +234,12 @@ mesh::SurfaceMesh with_flat_sides(mesh::SurfaceMesh surface, Case& settings, std
     }
     volume::CutClosing closing = volume::close_cuts(surface, cuts);
     for (std::size_t p = 0; p < cuts.size(); ++p) {
+      if (closing.caps[p] == 0 && settings.surface.fluid == surface::FluidSide::Inside) {
+        throw InputError(fmt::format(
+            "{}: volume.symmetry: the surface is not open at {} = {:.6g}, and with fluid = \"inside\" it is the whole "
+            "boundary of the domain; leave the key out, or give the patch that lies there type = \"symmetry\"",
+            settings.file.string(), "xyz"[cuts[p].axis], closing.at[p]));
+      }
       if (closing.caps[p] == 0) continue;
       add_rule(settings, cuts[p].patch, PatchType::Symmetry);
       notes.push_back(fmt::format("the surface is open at the plane of symmetry {} = {:.6g} and goes on beyond it",

@@ -47,14 +47,22 @@ std::uint64_t peak_memory() {
 
 SurfaceReport describe_surface(const Prepared& p) {
   SurfaceReport s;
-  s.points = p.surface().points.size();
-  s.triangles = p.surface().faces.size();
+  s.points = static_cast<std::uint64_t>(
+      std::count_if(p.wall.vertex.begin(), p.wall.vertex.end(), [](VertexId v) { return v.is_valid(); }));
+  s.triangles = static_cast<std::uint64_t>(
+      std::count_if(p.input_face.begin(), p.input_face.end(), [](FaceId f) { return f.is_valid(); }));
   s.components = p.admission.components.size();
   for (const auto& component : p.admission.components) s.unwetted_components += !component.is_wetted;
   s.merged_points = p.n_merged_points;
-  s.convex_ridges = p.features.n_convex;
-  s.concave_ridges = p.features.n_concave;
-  for (const auto kind : p.features.kind) {
+  // The far field that was made is left out.
+  for (const HalfedgeId h : p.features.is_ridge.ids()) {
+    if (!p.features.is_ridge[h] || p.topology.twin(h) < h) continue;
+    if (!p.input_face[mesh::Topology::face(h)].is_valid()) continue;
+    ++(p.features.turn[h] > 0 ? s.convex_ridges : s.concave_ridges);
+  }
+  for (const VertexId v : p.features.kind.ids()) {
+    if (!p.wall.vertex[v].is_valid()) continue;
+    const surface::PointKind kind = p.features.kind[v];
     s.corners += kind == surface::PointKind::Corner;
     s.ridge_ends += kind == surface::PointKind::RidgeEnd;
     s.tips += kind == surface::PointKind::Tip;
@@ -145,10 +153,22 @@ IdVector<PatchId, quality::PatchRequest> requests_of(const std::vector<PatchSett
   return requests;
 }
 
+/// Patches of the surface file; with a fill those that were made, too.
+std::size_t n_reported_patches(const Prepared& prepared) {
+  const mesh::SurfaceMesh& surface = prepared.surface();
+  if (prepared.settings.volume.fill != Fill::None) return surface.patch_names.size();
+  std::size_t n = surface.patch_names.size();
+  for (const FaceId f : surface.faces.ids()) {
+    if (!prepared.wall.face[f].is_valid()) n = std::min<std::size_t>(n, surface.face_patch[f].index());
+  }
+  return n;
+}
+
 /// Quality and coverage into the report. \returns the coverage of each triangle
 IdVector<FaceId, quality::FaceCoverage> measure(const layers::Wall& wall, const layers::Growth& growth,
                                                 const mesh::LayerMesh& layers,
-                                                const std::vector<PatchSettings>& patches, Report& report) {
+                                                const std::vector<PatchSettings>& patches, std::size_t n_shown,
+                                                Report& report) {
   report.quality = quality::layer_quality(layers, wall.surface);
   const auto requests = requests_of(patches);
   const quality::LineOutcome outcome{growth.asked_thickness, growth.reached_thickness, growth.reason,
@@ -158,6 +178,8 @@ IdVector<FaceId, quality::FaceCoverage> measure(const layers::Wall& wall, const 
   report.limited = quality::limited_lines(wall.surface, growth.front, growth.lines, outcome, requests);
   for (const PatchId p : by_patch.ids()) {
     const PatchSettings& patch = patches[p.index()];
+    // Patches that were made come last; without a fill they are in no file.
+    if (p.index() >= n_shown) break;
     report.patches.push_back(
         {wall.surface.patch_names[p], patch.type, patch.min_coverage, by_patch[p], report.limited.by_patch[p]});
   }
@@ -219,6 +241,10 @@ void write_results(const Result& result, OutputDirectory& output, StageClock& cl
   }
   const Volume& filled = std::get<Volume>(made);
   report.volume = describe_volume(filled, result.wall.surface.patch_names.size());
+  for (std::size_t p = 0; p < report.patches.size(); ++p) {
+    // Sides on which layers land have no faces of their own before.
+    if (!has_layers(report.patches[p].type)) report.patches[p].coverage.area = report.volume->boundary[p].area;
+  }
   const volume::HybridMesh hybrid(source, filled.rest, filled.fill);
   write(hybrid, report.name + ".vtu");
   io::write_polydata(output.aside(report.name + "-boundary.vtp"), boundary_file(filled.boundary, result.prepared));
@@ -235,7 +261,8 @@ void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector
   report.rounds = growth.rounds;
   report.smoothing_iterations = growth.smoothing_iterations;
   for (const auto& normal : growth.normals) report.surface.blind += !normal.is_visible;
-  const auto coverage = staged(clock, "quality", [&] { return measure(wall, growth, layers, patches, report); });
+  const auto coverage = staged(
+      clock, "quality", [&] { return measure(wall, growth, layers, patches, n_reported_patches(prepared), report); });
 
   const Result result{prepared, wall, growth, layers, coverage};
   write_results(result, output, clock, report);

@@ -121,8 +121,15 @@ void require_enclosed(const surface::OpenWall& wall, std::size_t n_wall_faces) {
     triangles.push_back({v[0].index(), v[1].index(), v[2].index()});
     is_far.push_back(f.index() >= n_wall_faces ? 1 : 0);
   }
-  if (search::self_intersections({surface.points.raw(), triangles}, is_far).empty()) return;
-  throw InputError("the far field cuts through the surface; give it a larger radius, or let it be \"auto\"");
+  const auto meeting = search::self_intersections({surface.points.raw(), triangles}, is_far);
+  if (meeting.empty()) return;
+  const FaceId f(meeting.front().first);
+  const Vec3& p = surface.points[surface.faces[f][0]];
+  throw InputError(
+      fmt::format("volume.farfield: the far field cuts or touches patch \"{}\" near ({:.6g}, {:.6g}, {:.6g}); if the "
+                  "body ends there "
+                  "in a plane of symmetry, give that patch type = \"symmetry\", else make the far field larger",
+                  surface.patch_names[surface.face_patch[f]], p.x(), p.y(), p.z()));
 }
 
 }  // namespace
@@ -139,7 +146,11 @@ void add_far_field(const FarField& far_field, surface::OpenWall& wall) {
   const geometry::Box inner = geometry::bounding_box(wall.surface.points.raw());
   if (!geometry::bounding_box(far.points.raw()).contains(inner.low) ||
       !geometry::bounding_box(far.points.raw()).contains(inner.high) || !is_within_sphere(wall, far_field, far)) {
-    throw InputError("the surface does not lie within the far field; give it a larger radius, or let it be \"auto\"");
+    throw InputError(fmt::format(
+        "volume.farfield: the surface does not lie within the far field: it reaches from ({:.6g}, {:.6g}, {:.6g}) to "
+        "({:.6g}, {:.6g}, {:.6g}), and the far field's triangles cut its corners; make it larger, or leave it to "
+        "\"auto\"",
+        inner.low.x(), inner.low.y(), inner.low.z(), inner.high.x(), inner.high.y(), inner.high.z()));
   }
   if (!wall.planes.empty()) mark(far, numbers, wall.planes);
   append(far, wall);
