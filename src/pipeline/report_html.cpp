@@ -45,9 +45,9 @@ std::string head_of(const Report& report) {
   out +=
       report.certified ? "<span class='badge good'>✓ certified</span>" : "<span class='badge bad'>not certified</span>";
   if (is_short) out += "<span class='badge bad'>coverage under min_coverage</span>";
-  out += fmt::format("</header><p class='subtitle'>Boundary layers on {} · {} triangles · nearwall {}</p>",
-                     escaped_markup(report.input_file), shown_count(report.surface.triangles),
-                     escaped_markup(report.version));
+  out += fmt::format("</header><p class='subtitle'>{} on {} · {} triangles · nearwall {}</p>",
+                     report.volume ? "Layers and volume" : "Boundary layers", escaped_markup(report.input_file),
+                     shown_count(report.surface.triangles), escaped_markup(report.version));
   out += "<div class='cards'>";
   out += card(shown_count(report.n_cells()), "cells");
   out +=
@@ -103,7 +103,9 @@ std::string coverage_row(const PatchReport& patch) {
   if (!is_wall(patch)) {
     return fmt::format("<tr><td>{}</td><td>{}</td><td class='left' colspan='8'><small>{}</small></td></tr>",
                        escaped_markup(patch.name), shown(c.area),
-                       patch.type == PatchType::Wall ? "out of the fluid's reach" : "no layers asked for");
+                       patch.type == PatchType::Wall      ? "out of the fluid's reach"
+                       : patch.type == PatchType::NoLayer ? "no layers asked for"
+                                                          : type_name(patch.type));
   }
   const auto against = [](double value, double asked) {
     return fmt::format("{}<br><small>{} of {}</small>", shown(value, 3), percent(asked > 0 ? 100 * value / asked : 100),
@@ -199,7 +201,7 @@ std::string certificate_of(const Report& report) {
   out += entry("not positive somewhere", shown_count(c.n_bad_columns));
   out += entry("front triangles that meet", shown_count(c.n_front_intersections));
   out += entry("components covered twice", shown_count(c.n_covered_twice));
-  out += entry("volume of the cells", shown(c.cells_volume, 8));
+  out += entry("volume of the layers", shown(c.cells_volume, 8));
   out += entry("volume between wall and front", shown(c.enclosed_volume, 8));
   if (report.volume) {
     const volume::DomainCertificate& d = report.volume->certificate;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "nearwall/geometry/box.h"
 #include "nearwall/io/picture.h"
 #include "nearwall/io/vtu_writer.h"
 #include "nearwall/mesh/mesh_source.h"
@@ -54,6 +55,20 @@ IdVector<FaceId, char> faces_of_bodies(const Prepared& prepared) {
   return is_all ? IdVector<FaceId, char>() : is_shown;
 }
 
+/// Round what has layers on a plane, with a quarter of its extent on either side.
+io::ZoomBox box_of_walls_on(const Result& result, mesh::PlaneIndex plane) {
+  geometry::Box box;
+  for (const LineId line : result.growth.front.line_vertex.ids()) {
+    const VertexId v = result.growth.front.line_vertex[line];
+    if (!result.prepared.wall.planes.is_on(v, plane) || !(result.growth.asked_thickness[line] > 0)) continue;
+    box.include(result.growth.lines.base[line]);
+  }
+  if (box.is_empty()) box = geometry::bounding_box(result.wall.surface.points.raw());
+  const double margin = 0.25 * box.diagonal();
+  const Vec3 around(margin, margin, margin);
+  return {box.low - around, box.high + around};
+}
+
 void LayersOfInput::read_cells(std::size_t batch, mesh::CellBatch& out) const {
   source_.read_cells(batch, out);
   for (std::int64_t& column : out.column) {
@@ -75,8 +90,8 @@ void write_meshes(const Result& result, const mesh::MeshSource& mesh, const std:
   progress.end_stage();
 }
 
-std::vector<Picture> make_pictures(const Result& result, const std::string& name, OutputDirectory& output,
-                                   ProgressSink& progress) {
+std::vector<Picture> make_pictures(const Result& result, const std::string& name, bool has_volume,
+                                   OutputDirectory& output, ProgressSink& progress) {
   std::vector<Picture> pictures;
   progress.begin_stage("pictures");
   io::PictureRequest request;
@@ -107,7 +122,16 @@ std::vector<Picture> make_pictures(const Result& result, const std::string& name
     request.title = "layer, from the wall";
     request.clip = place->plane;
     request.zoom = place->zoom;
-    make(name + "-clip.png", "Section through the layers, close up");
+    goes_on = make(name + "-clip.png", "Section through the layers, close up");
+  }
+  const mesh::SidePlanes& planes = result.prepared.wall.planes;
+  if (goes_on && has_volume && !planes.empty()) {
+    request = io::PictureRequest();
+    request.input = output.scratch(name + "-boundary.vtp");
+    request.colour_by = "Patch";
+    request.view = -planes.planes.front().normal;
+    request.zoom = box_of_walls_on(result, 0);
+    make(name + "-side.png", "Layers and the rest on a side of the domain");
   }
   progress.end_stage();
   return pictures;

@@ -45,7 +45,8 @@ void write_meshes(const Result& result, const mesh::MeshSource& mesh, const std:
                   const std::string& name, OutputDirectory& output, ProgressSink& progress);
 
 /// The pictures, aside; where none can be made a note says so. \returns those that were made
-std::vector<Picture> make_pictures(const Result& result, const std::string& name, OutputDirectory& output,
-                                   ProgressSink& progress);
+/// \param has_volume  NAME-boundary.vtp is there: a side of the domain is shown, too
+std::vector<Picture> make_pictures(const Result& result, const std::string& name, bool has_volume,
+                                   OutputDirectory& output, ProgressSink& progress);
 
 }  // namespace nearwall::pipeline

@@ -267,7 +267,7 @@ void mesh_wall(const Case& settings, const Prepared& prepared, const std::vector
   const Result result{prepared, wall, growth, layers, coverage};
   write_results(result, output, clock, report);
   std::vector<Picture> pictures;
-  if (settings.output.pictures) pictures = make_pictures(result, report.name, output, clock);
+  if (settings.output.pictures) pictures = make_pictures(result, report.name, report.volume.has_value(), output, clock);
   clock.write_to(report);
   if (settings.output.report) write_reports(pictures, output, report);
   report.files = output.publish();
