@@ -2,6 +2,7 @@
 #include <unordered_map>
 
 #include "nearwall/certify/certificate.h"
+#include "nearwall/certify/flat_edges.h"
 #include "nearwall/mesh/seams.h"
 #include "nearwall/planar/crossing_edges.h"
 #include "nearwall/planar/region.h"
@@ -47,30 +48,6 @@ class Traces {
   const mesh::SidePlanes& planes_;
   const FrontSurface& surface_;
   std::vector<std::vector<TraceEdge>> of_plane_;
-};
-
-/// The points of some edges in the coordinates of a plane, numbered anew.
-struct FlatEdges {
-  std::vector<planar::Point2> points;
-  std::vector<std::uint32_t> original;
-  std::vector<planar::Edge> edges;
-
-  FlatEdges(const mesh::SidePlane& plane, const std::vector<TraceEdge>& trace, const std::vector<Vec3>& positions) {
-    std::unordered_map<std::uint32_t, std::uint32_t> number;
-    const auto local = [&](std::uint32_t p) {
-      const auto [found, is_new] = number.emplace(p, static_cast<std::uint32_t>(points.size()));
-      if (is_new) {
-        const auto [u, v] = plane.flat(positions[p]);
-        points.push_back({u, v});
-        original.push_back(p);
-      }
-      return found->second;
-    };
-    for (const TraceEdge& edge : trace) {
-      const std::uint32_t from = local(edge.points[0]), to = local(edge.points[1]);
-      edges.push_back({from, to});
-    }
-  }
 };
 
 class Closer {
@@ -122,7 +99,9 @@ class Closer {
   void close_plane(mesh::PlaneIndex p) {
     const auto& trace = traces_[p];
     if (trace.empty()) return;
-    const FlatEdges flat(planes_.planes[p], trace, surface_.points);
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    for (const TraceEdge& edge : trace) edges.push_back(edge.points);
+    const FlatEdges flat(planes_.planes[p], edges, surface_.points);
     for (const auto& [i, j] : planar::crossing_edges(flat.points, flat.edges)) {
       surface_.is_closed = false;
       blame(trace[i]);

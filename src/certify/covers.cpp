@@ -109,7 +109,9 @@ std::vector<ComponentId> covered_twice(const mesh::Front& front, const FrontSurf
                                        const IdVector<FaceId, ComponentId>& face_component, bool fluid_is_inside) {
   const std::vector<ComponentId> components = triangle_components(front, surface, face_component);
   Parts parts(surface, components);
-  const auto [members, boxes] = Members(surface, components, parts);
+  const Members by_part(surface, components, parts);
+  const auto& members = by_part.triangles;
+  const auto& boxes = by_part.boxes;
 
   std::vector<char> is_wrong(members.size(), 0), counts(surface.triangles.size());
   for (std::size_t c = 0; c < members.size(); ++c) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
+#include "nearwall/certify/flat_edges.h"
 #include "nearwall/core/expect.h"
 #include "nearwall/mesh/seams.h"
 #include "nearwall/planar/crossing_edges.h"
@@ -17,6 +17,7 @@ namespace nearwall::volume {
 namespace {
 
 using certify::FrontSurface;
+using Flat = certify::FlatEdges;
 using certify::TraceEdge;
 
 /// A point of the front asks for sizes on a plane if it is no farther from it than so many of its edges.
@@ -126,33 +127,6 @@ class RestBuilder {
     join(to);
   }
 
-  /// The points of a plane's edges in its coordinates, numbered anew.
-  struct Flat {
-    std::vector<planar::Point2> points;
-    std::vector<std::uint32_t> original;
-    std::vector<planar::Edge> edges;
-  };
-
-  Flat flat_edges(mesh::PlaneIndex p) const {
-    const mesh::SidePlane& plane = wall_.planes->planes[p];
-    Flat flat;
-    std::unordered_map<std::uint32_t, std::uint32_t> number;
-    const auto local = [&](std::uint32_t point) {
-      const auto [found, is_new] = number.emplace(point, static_cast<std::uint32_t>(flat.points.size()));
-      if (is_new) {
-        const auto [u, v] = plane.flat(rest_.surface.points[point]);
-        flat.points.push_back({u, v});
-        flat.original.push_back(point);
-      }
-      return found->second;
-    };
-    for (const auto& edge : edges_[p]) {
-      const std::uint32_t from = local(edge[0]), to = local(edge[1]);
-      flat.edges.push_back({from, to});
-    }
-    return flat;
-  }
-
   /// Whether a place is in the region to the left of edges: a ray crosses them an odd number of times.
   static bool is_inside(const Flat& flat, std::size_t n_edges, const planar::Point2& at) {
     bool is_odd = false;
@@ -217,7 +191,7 @@ class RestBuilder {
   void fill(mesh::PlaneIndex p) {
     if (edges_[p].empty()) return;
     const mesh::SidePlane& plane = wall_.planes->planes[p];
-    Flat flat = flat_edges(p);
+    Flat flat(plane, edges_[p], rest_.surface.points);
     if (p < borders_.size()) add_borders(p, flat);
     const planar::GradedSize size(flat.points, flat.edges, {slope(), largest_}, sources_near(plane));
     const planar::RefinedRegion region =

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "nearwall/certify/flat_edges.h"
 #include "nearwall/core/errors.h"
 #include "nearwall/geometry/box.h"
 #include "nearwall/mesh/seams.h"
@@ -150,33 +150,17 @@ class CutCloser {
 
   void fill(std::size_t p) {
     if (edges_[p].empty()) return;
-    std::unordered_map<std::uint32_t, std::uint32_t> number;
-    std::vector<std::uint32_t> original;
-    std::vector<planar::Point2> flat;
-    std::vector<planar::Edge> edges;
-    const auto local = [&](std::uint32_t point) {
-      const auto [found, is_new] = number.emplace(point, static_cast<std::uint32_t>(flat.size()));
-      if (is_new) {
-        const auto [u, v] = sides_[p].flat(points()[point]);
-        flat.push_back({u, v});
-        original.push_back(point);
-      }
-      return found->second;
-    };
-    for (const Edge& edge : edges_[p]) {
-      const std::uint32_t from = local(edge[0]), to = local(edge[1]);
-      edges.push_back({from, to});
-    }
-    const auto crossing = planar::crossing_edges(flat, edges);
+    const certify::FlatEdges flat(sides_[p], edges_[p], points());
+    const auto crossing = planar::crossing_edges(flat.points, flat.edges);
     if (!crossing.empty()) refuse(p, edges_[p][crossing.front().first][0], "meet each other");
-    const planar::RegionTriangulation cap = planar::triangulate_region(flat, edges);
+    const planar::RegionTriangulation cap = planar::triangulate_region(flat.points, flat.edges);
     if (!cap.contradicting_edges.empty()) {
       refuse(p, edges_[p][cap.contradicting_edges.front()][0], "do not go round a cut");
     }
     mesh::SurfaceMesh& surface = result_.surface;
     const PatchId patch = patch_of(planes_[p].patch);
     for (const auto& [a, b, c] : cap.triangles) {
-      surface.faces.push_back({VertexId(original[a]), VertexId(original[b]), VertexId(original[c])});
+      surface.faces.push_back({VertexId(flat.original[a]), VertexId(flat.original[b]), VertexId(flat.original[c])});
       surface.face_patch.push_back(patch);
     }
     result_.caps[p] = cap.triangles.size();
