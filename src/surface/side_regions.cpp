@@ -52,12 +52,16 @@ class Grouping {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     noise_ = kFloatRounding * max_norm_of(surface);
     const std::vector<SideEdge> edges = shared_edges();
+    std::vector<char> is_joined(parent_.size(), 0);
     for (std::size_t i = 1; i < edges.size(); ++i) {
       const SideEdge &a = edges[i - 1], &b = edges[i];
       if (a.low != b.low || a.high != b.high) continue;
-      if (!is_needle(a.face) && !is_needle(b.face) && bend_by(a.face, b.face) <= kBend) join(a.face, b.face);
+      // That a needle agrees with a neighbour is no accident.
+      if (bend_by(a.face, b.face) > kBend) continue;
+      join(a.face, b.face);
+      is_joined[a.face.index()] = is_joined[b.face.index()] = 1;
     }
-    place_needles(edges);
+    place_needles(edges, std::move(is_joined));
   }
 
   /// Roots of parts of which most of the outline goes on, in the same role, over edges that bend by less than sides of
@@ -151,16 +155,19 @@ class Grouping {
     return 2 * geometry::triangle_area(a, b, c) * kBend <= noise_ * longest;
   }
 
+  /// Angle between the normals; half a turn where a face has no area.
   double bend_by(FaceId f, FaceId g) const {
     const auto [a, b, c] = surface_.triangle(f);
     const auto [p, q, r] = surface_.triangle(g);
+    if (!(geometry::triangle_area(a, b, c) > 0) || !(geometry::triangle_area(p, q, r) > 0)) return geometry::kPi;
     return geometry::angle_between(geometry::triangle_normal(a, b, c), geometry::triangle_normal(p, q, r));
   }
 
-  /// Each needle goes to one neighbour that has its place already: it must not join two of them.
-  void place_needles(const std::vector<SideEdge>& edges) {
-    std::vector<char> is_placed(parent_.size(), 1);
-    for (const SideEdge& edge : edges) is_placed[edge.face.index()] = is_needle(edge.face) ? 0 : 1;
+  /// Each needle that agrees with none goes to one neighbour that has its place already: it must not join two of them.
+  void place_needles(const std::vector<SideEdge>& edges, std::vector<char> is_placed) {
+    for (const SideEdge& edge : edges) {
+      if (!is_needle(edge.face)) is_placed[edge.face.index()] = 1;
+    }
     for (bool any = true; any;) {
       any = false;
       for (std::size_t i = 1; i < edges.size(); ++i) {
