@@ -66,11 +66,8 @@ Vec3 SidePlanes::within(VertexId v, const Vec3& d) const {
   Vec3 seam = cross(first.normal, second.normal);
   const double size = norm(seam);
   if (!(size > kParallel)) return first.within(d);
+  // With an axis plane among the two that component is zero exactly.
   seam = seam / size;
-  // Of an axis plane and another one, the axis plane is the one that is kept exactly.
-  for (const SidePlane* plane : {&first, &second}) {
-    if (plane->axis >= 0) seam = plane->within(seam);
-  }
   return seam * dot(seam, d);
 }
 

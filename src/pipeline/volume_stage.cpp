@@ -85,9 +85,8 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
   Volume result;
   try {
     const volume::PlaneBorders borders = borders_on_planes(prepared);
-    result.rest = staged(progress, "sides", [&] {
-      return volume::rest_boundary(layers, wall, {settings.growth, {}}, borders);
-    });
+    result.rest =
+        staged(progress, "sides", [&] { return volume::rest_boundary(layers, wall, settings.growth, borders); });
   } catch (const InputError& error) {
     progress.end_stage();
     return VolumeFailure{fmt::format("the sides of the domain cannot be meshed: {}", error.what()), {}, {}};

@@ -31,7 +31,8 @@ struct VolumeFailure {
   std::vector<std::uint32_t> triangles;  ///< of the rest's boundary, those concerned; empty if it is not known which
 };
 
-/// Fills what the layers leave and certifies the whole. \param layers_volume  of all cells of the layers
+/// Fills what the layers leave and certifies the whole.
+/// \param layers_volume  of all cells of the layers
 /// \returns  a volume, or else why it could not be made
 /// \throws Interrupted, InternalError if the whole could not be certified
 std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const certify::CertifiedWall& wall,

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "nearwall/core/vec3.h"
 #include "volume/memory_file.h"
 #include "volume/size_field.h"
@@ -43,10 +45,15 @@ bool is_refining = false;
 using Orient3d = double (*)(double*, double*, double*, double*);
 using Incircle3d = double (*)(tetgenmesh*, double*, double*, double*, double*);
 
+/// Ends the program from within TetGen, which cannot be left in another way. What it says is the parent's to tell.
+[[noreturn]] void give_up(nearwall::volume::TetgenExit exit, const char* words) {
+  fmt::print(stderr, "{}\n", words);
+  _exit(static_cast<int>(exit));
+}
+
 void count_call() {
   if (is_refining || calls_left-- > 0) return;
-  std::fputs("it goes round in circles\n", stderr);
-  _exit(static_cast<int>(nearwall::volume::TetgenExit::Endless));
+  give_up(nearwall::volume::TetgenExit::Endless, "it goes round in circles");
 }
 
 }  // namespace
@@ -101,8 +108,7 @@ double shortest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
 bool is_too_large(double* pa, double* pb, double* pc, double* pd, double*, double) {
   is_refining = true;
   if (questions_left-- == 0) {
-    std::fputs("it refines without end\n", stderr);
-    _exit(static_cast<int>(TetgenExit::Unbounded));
+    give_up(TetgenExit::Unbounded, "it refines without end");
   }
   const Vec3 d = vec3(pd), a = vec3(pa) - d, b = vec3(pb) - d, c = vec3(pc) - d;
   const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
@@ -216,7 +222,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return static_cast<int>(TetgenExit::OutOfMemory);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    fmt::print(stderr, "{}\n", error.what());
     return static_cast<int>(TetgenExit::Exchange);
   }
 }

@@ -20,6 +20,9 @@ using certify::FrontSurface;
 using Flat = certify::FlatEdges;
 using certify::TraceEdge;
 
+/// Sizes are bounded by the growth alone.
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
 /// A point of the front asks for sizes on a plane if it is no farther from it than so many of its edges.
 constexpr double kNear = 20;
 
@@ -28,15 +31,13 @@ constexpr double kShareOfSeam = 0.5;
 
 class RestBuilder {
  public:
-  RestBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes,
+  RestBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, double growth,
               const PlaneBorders& borders)
       : layers_(layers),
         wall_(wall),
-        sizes_(sizes),
+        growth_(growth),
         borders_(borders),
-        front_(certify::front_surface(layers.front(), layers.lines())) {
-    largest_ = sizes.largest.value_or(std::numeric_limits<double>::infinity());
-  }
+        front_(certify::front_surface(layers.front(), layers.lines())) {}
 
   RestBoundary build() {
     add_front();
@@ -46,7 +47,7 @@ class RestBuilder {
   }
 
  private:
-  double slope() const { return sizes_.growth - 1; }
+  double slope() const { return growth_ - 1; }
 
   /// Seen from outside of what is left: the other way round than the front, which looks into the fluid.
   void add_front() {
@@ -92,7 +93,7 @@ class RestBuilder {
 
   /// What the other ends of the edges that meet there leave of the growth.
   void find_sizes_at_corners(const mesh::Seams& seams) {
-    size_.resize(rest_.surface.points.size(), largest_);
+    size_.resize(rest_.surface.points.size(), kNoLimit);
     for (int round = 0; round < 2; ++round) {
       for (const mesh::Seam& seam : seams.seams) {
         const double length = distance(rest_.surface.points[seam.ends[0]], rest_.surface.points[seam.ends[1]]);
@@ -121,7 +122,7 @@ class RestBuilder {
       edges_[seam.second].push_back({next, last});
       last = next;
     };
-    for (const double at : planar::graded_points(length, size_[from], size_[to], slope(), largest_)) {
+    for (const double at : planar::graded_points(length, size_[from], size_[to], slope(), kNoLimit)) {
       join(add_point(begin + way * (at / length)));
     }
     join(to);
@@ -193,7 +194,7 @@ class RestBuilder {
     const mesh::SidePlane& plane = wall_.planes->planes[p];
     Flat flat(plane, edges_[p], rest_.surface.points);
     if (p < borders_.size()) add_borders(p, flat);
-    const planar::GradedSize size(flat.points, flat.edges, {slope(), largest_}, sources_near(plane));
+    const planar::GradedSize size(flat.points, flat.edges, {slope(), kNoLimit}, sources_near(plane));
     const planar::RefinedRegion region =
         planar::refine_region(flat.points, flat.edges, [&](const planar::Point2& at) { return size(at); });
     for (std::size_t i = flat.original.size(); i < region.points.size(); ++i) {
@@ -235,10 +236,9 @@ class RestBuilder {
 
   const mesh::LayerMesh& layers_;
   const certify::CertifiedWall& wall_;
-  const RestSizes& sizes_;
+  double growth_;
   const PlaneBorders& borders_;
   const FrontSurface front_;
-  double largest_ = 0;
   std::vector<double> size_;  // (n_front_points)
   mesh::PlaneEdges edges_;
   RestBoundary rest_;
@@ -246,9 +246,9 @@ class RestBuilder {
 
 }  // namespace
 
-RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes,
+RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, double growth,
                            const PlaneBorders& borders) {
-  return RestBuilder(layers, wall, sizes, borders).build();
+  return RestBuilder(layers, wall, growth, borders).build();
 }
 
 }  // namespace nearwall::volume

@@ -59,7 +59,7 @@ struct Domain {
         growth(layers::grow(wall.wall(), wall.options(heights, with_layers))),
         layers(growth.front, growth.lines),
         source(layers, wall.surface().face_patch, wall.surface().points.raw()),
-        rest(rest_boundary(layers, wall.certified_wall(), {})),
+        rest(rest_boundary(layers, wall.certified_wall(), 1.3)),
         fill(filled(rest.surface)),
         hybrid(source, rest, fill),
         boundary(domain_boundary(layers, wall.certified_wall(), rest, hybrid,

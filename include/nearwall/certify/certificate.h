@@ -68,9 +68,8 @@ std::vector<FrontFaceId> turned_sides(const mesh::Front& front, const mesh::Line
 /// points; where two planes meet, straight from the end of one chain of edges to the next. Normals of these triangles
 /// point into the domain, as those of the front. Exact in the plane, for planes along no axis in their projection along
 /// the longest component of the normal. Source: docs/theory/planes.md.
-/// \returns  front faces whose edges on a plane meet each other or go round nothing; none, too, where only edges
-/// between
-///           planes are wrong: `is_closed` tells
+/// \returns  front faces whose edges on a plane meet each other or go round nothing; none, too,
+///           where only edges between planes are wrong: `is_closed` tells
 /// Cost: O(n log n) for n edges on planes.
 std::vector<FrontFaceId> close_front(const mesh::Front& front, const mesh::SidePlanes& planes, FrontSurface& surface);
 

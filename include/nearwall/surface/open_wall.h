@@ -28,12 +28,14 @@ struct OpenWallOptions {
   bool lands = true;  ///< false: layers end at all sides but the cuts of bodies, as beside patches without layers
 };
 
-/// Takes those regions out on which the layers of neighbouring patches land: flat ones that meet these patches, mostly,
-/// in concave edges. Symmetric ones of an external flow are the cuts of bodies: they go whatever is beside them, and
-/// the domain's side is the rest of their plane. At the others layers end as at patches without layers. \param closed
-/// admitted, normals into the fluid, flat regions flattened \param regions  as find_side_regions gives them for
-/// `closed` \throws GeometryError  if a body lies on both sides of its plane of symmetry, or its cut there touches
-/// itself
+/// Takes those regions out on which the layers of neighbouring patches land: flat ones that meet these patches in some
+/// concave edge, and what lies beside them in their plane. At their other edges lines are held. Symmetric ones of an
+/// external flow are the cuts of bodies: they go whatever is beside them, and the domain's side is the rest of their
+/// plane. At all other regions layers end as at patches without layers.
+///
+/// \param closed   admitted, normals into the fluid, flat regions flattened
+/// \param regions  as find_side_regions gives them for `closed`
+/// \throws GeometryError  if a body lies on both sides of its plane of symmetry or touches it beside its cut
 OpenWall open_at_sides(const mesh::SurfaceMesh& closed, const std::vector<SideRegion>& regions,
                        const IdVector<FaceId, char>& is_wetted, const OpenWallOptions& options);
 

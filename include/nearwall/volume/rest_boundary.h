@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "nearwall/certify/certificate.h"
@@ -28,17 +27,16 @@ struct RestBoundary {
 /// bits.
 using PlaneBorders = std::vector<std::vector<std::array<Vec3, 2>>>;
 
-struct RestSizes {
-  double growth = 1.3;            ///< ratio of an edge to the next one away from the layers, > 1
-  std::optional<double> largest;  ///< [length]
-};
-
 /// Triangles on planes are as large as the edges of the layers beside them, and of fronts near the plane, and grow from
 /// there at the asked rate; edges between two planes first. Edges of the layers are never split.
 /// Borders are kept as edges where they lie in what is left of their plane; those that meet the layers' trace or an
-/// edge between two planes are not. \param borders  (n_planes), or empty \pre the layers are certified. Cost: O(n log
-/// n).    Source: docs/theory/planes.md
-RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const RestSizes& sizes,
+/// edge between two planes are not.
+///
+/// \pre   the layers are certified
+/// \param growth   ratio of an edge to the next one away from the layers, > 1
+/// \param borders  (n_planes), or empty
+/// Cost: O(n log n). Source: docs/theory/planes.md
+RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, double growth,
                            const PlaneBorders& borders = {});
 
 }  // namespace nearwall::volume
