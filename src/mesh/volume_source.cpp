@@ -64,8 +64,8 @@ void VolumeSource::read_cells(std::size_t batch, CellBatch& out) const {
     out.type.push_back(mesh_->type[cell]);
     out.nodes.push_back(nodes);
     out.corners.push_back(mesh_->corners_of(cell));
+    out.layer.push_back(mesh_->layer.empty() ? 0 : mesh_->layer[cell]);
   }
-  out.layer.assign(out.size(), 0);
   out.column.assign(out.size(), -1);
   out.patch.assign(out.size(), -1);
 }

@@ -18,6 +18,7 @@ struct VolumeMesh {
   std::vector<std::uint64_t> first_node;  ///< (n_cells + 1) where the nodes of each cell begin
   std::vector<std::uint32_t> nodes;       ///< order of predicates/cells.h
   std::vector<std::uint64_t> file_cell;   ///< (n_cells) number in the file, which may hold cells of other kinds, too
+  std::vector<std::int32_t> layer;        ///< (n_cells) 1 at the wall, 0 outside the layers; empty: not known
 
   std::size_t n_cells() const { return type.size(); }
   std::span<const std::uint32_t> nodes_of(std::size_t cell) const {

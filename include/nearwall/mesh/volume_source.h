@@ -8,8 +8,8 @@
 
 namespace nearwall::mesh {
 
-/// A volume mesh, or some of its cells, as a mesh source. The mesh must outlive it. Cells carry no layer (0), column or
-/// patch (−1), points no line (−1).
+/// A volume mesh, or some of its cells, as a mesh source. The mesh must outlive it. Cells carry the mesh's layers,
+/// no column or patch (−1), points no line (−1).
 class VolumeSource final : public MeshSource {
  public:
   /// All cells and all points.
