@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -8,8 +9,20 @@
 namespace nearwall::io {
 
 // One reader for each format, from the unpacked bytes of the file. `file` is its name for messages.
-// Each throws GeometryError on malformed content and InputError on cells that are not ours.
+// Each throws GeometryError on malformed content and InputError on cells that are not ours. Those of solver formats
+// read surfaces, too: a mesh without cells, its faces in the boundary.
 VolumeFile parse_vtu(std::string_view bytes, const std::string& file);
 VolumeFile parse_legacy_volume(std::string_view bytes, const std::string& file);
+VolumeFile parse_su2(std::string_view bytes, const std::string& file);
+VolumeFile parse_ugrid(std::string_view bytes, const std::string& file);
+VolumeFile parse_ugrid_big(std::string_view bytes, const std::string& file);
+VolumeFile parse_ugrid_little(std::string_view bytes, const std::string& file);
+VolumeFile parse_msh(std::string_view bytes, const std::string& file);
+VolumeFile parse_nastran(std::string_view bytes, const std::string& file);
+
+// Those that libraries read by name, and folders.
+VolumeFile read_cgns(const std::filesystem::path& path);
+VolumeFile read_vtkhdf(const std::filesystem::path& path);
+VolumeFile read_openfoam(const std::filesystem::path& folder);
 
 }  // namespace nearwall::io

@@ -6,10 +6,10 @@
 #include <array>
 #include <limits>
 
+#include "io/batches.h"
 #include "io/vtk_cells.h"
 #include "io/vtk_xml_output.h"
 #include "nearwall/core/markup.h"
-#include "nearwall/core/parallel.h"
 
 namespace nearwall::io {
 namespace {
@@ -17,8 +17,6 @@ namespace {
 using mesh::CellBatch;
 using mesh::CellType;
 using mesh::PointBatch;
-
-constexpr std::size_t kBatchesAtOnce = 16;
 
 std::uint64_t n_connections(const mesh::MeshSource& mesh) {
   std::uint64_t n = 0;
@@ -44,19 +42,19 @@ using RawArrays = std::vector<std::string>;  // the bytes that a batch adds to e
 /// read(batch, raw) runs on several threads; then in_order(batch, raw) on one, batch after batch.
 template <class Read, class InOrder>
 void pack_batches(std::size_t n_batches, std::span<PackedArray> arrays, const Read& read, const InOrder& in_order) {
-  for (std::size_t first = 0; first < n_batches; first += kBatchesAtOnce) {
-    const std::size_t n = std::min(kBatchesAtOnce, n_batches - first);
-    std::vector<RawArrays> raw(n, RawArrays(arrays.size()));
-    parallel_blocks(n, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) read(first + i, raw[i]);
-    });
-    for (std::size_t i = 0; i < n; ++i) {
-      in_order(first + i, raw[i]);
-      for (std::size_t a = 0; a < arrays.size(); ++a) arrays[a].append(raw[i][a]);
-    }
-    raw.clear();
-    PackedArray::pack(arrays, false);
-  }
+  in_batches(
+      n_batches,
+      [&](std::size_t batch) {
+        RawArrays raw(arrays.size());
+        read(batch, raw);
+        return raw;
+      },
+      [&](std::size_t batch, RawArrays& raw) {
+        in_order(batch, raw);
+        for (std::size_t a = 0; a < arrays.size(); ++a) arrays[a].append(raw[a]);
+        RawArrays().swap(raw);
+        if (batch % kBatchesAtOnce == kBatchesAtOnce - 1) PackedArray::pack(arrays, false);
+      });
   PackedArray::pack(arrays, true);
 }
 

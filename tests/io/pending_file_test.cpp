@@ -39,6 +39,16 @@ TEST(PendingFile, LeavesNothingAndKeepsTheOldFileWithoutCommit) {
   EXPECT_EQ(folder.n_files(), 1u);
 }
 
+TEST(PendingFile, WritesPartsInAnyOrder) {
+  const TemporaryFolder folder;
+  PendingFile file(folder / "mesh.ugrid");
+  file.write("head");
+  file.write_at(6, "tail");
+  file.write_at(4, "--");
+  file.commit();
+  EXPECT_EQ(bytes_of(folder / "mesh.ugrid"), "head--tail");
+}
+
 TEST(PendingFile, ReplacesAnOlderFile) {
   const TemporaryFolder folder;
   folder.file("report.json", "old and longer");

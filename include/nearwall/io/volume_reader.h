@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "nearwall/mesh/boundary.h"
 #include "nearwall/mesh/volume_mesh.h"
 
 namespace nearwall::io {
@@ -22,7 +23,9 @@ struct SkippedCells {
 struct VolumeFile {
   mesh::VolumeMesh mesh;
   SkippedCells skipped;
-  std::vector<std::string> patch_names;  ///< field data `PatchNames`; often empty
+  std::vector<std::string> patch_names;  ///< field data `PatchNames`, names of markers, …; often empty
+  /// Faces with patches as the file has them: some may be missing, within, or the other way round (fit_boundary).
+  mesh::Boundary boundary;
 };
 
 /// Reads the tetrahedra, pyramids, wedges and hexahedra of a VTK file of an unstructured grid, with all its points,
