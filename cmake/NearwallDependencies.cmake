@@ -16,3 +16,6 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(ZLIB REQUIRED)
 find_package(TetGen REQUIRED)
+find_package(CGNS REQUIRED)
+# The serial library, as CGNS has it; VTK is built with the parallel one, which no target of nearwall links.
+find_package(HDF5 1.10 REQUIRED COMPONENTS C)

@@ -14,4 +14,5 @@ configure_package_config_file(cmake/nearwallConfig.cmake.in "${PROJECT_BINARY_DI
                               INSTALL_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/nearwall")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/nearwallConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/nearwallConfig.cmake" "${PROJECT_BINARY_DIR}/nearwallConfigVersion.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindCGNS.cmake"
         DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/nearwall")

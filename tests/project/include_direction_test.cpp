@@ -103,6 +103,9 @@ TEST(IncludeDirection, HeavyLibrariesStayBehindFilesOfTheirName) {
     EXPECT_TRUE(!include.what.starts_with("CGAL/") || stem.ends_with("_cgal")) << include.file;
     EXPECT_TRUE(!include.what.starts_with("tetgen") || stem.ends_with("_tetgen")) << include.file;
     EXPECT_TRUE(!include.what.starts_with("vtk") || stem.ends_with("_vtk")) << include.file;
+    EXPECT_TRUE(!include.what.starts_with("cgns") || stem.ends_with("_cgns")) << include.file;
+    const bool is_hdf5 = include.what.starts_with("hdf5") || include.what.starts_with("H5");
+    EXPECT_TRUE(!is_hdf5 || stem.ends_with("_hdf5")) << include.file;
   }
 }
 
