@@ -1,0 +1,97 @@
+#include "io/openfoam_text.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace nearwall::io {
+namespace {
+
+using mesh::BoundaryPatch;
+using mesh::BoundaryType;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// OpenFOAM's own rule forbids blanks, quotes, '/', ';' and braces only; but its reader takes some other characters for
+// operators, variables or numbers where they stand first.
+std::string word_of(std::string_view name) {
+  std::string word;
+  for (const char c : name) {
+    constexpr unsigned kContinuation = 0x80;  // of a character of several bytes in UTF-8: one '_' for all of them
+    if ((static_cast<unsigned char>(c) & 0xc0u) == kContinuation) continue;
+    word += is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.' ? c : '_';
+  }
+  if (word.empty() || !(is_letter(word[0]) || word[0] == '_')) word.insert(word.begin(), '_');
+  return word;
+}
+
+std::string_view foam_type(BoundaryType type) {
+  switch (type) {
+    case BoundaryType::Wall:
+      return "wall";
+    case BoundaryType::Symmetry:
+      return "symmetry";
+    default:
+      return "patch";
+  }
+}
+
+}  // namespace
+
+std::string foam_header(FoamForm form, std::string_view foam_class, std::string_view object, std::string_view note) {
+  std::string text = fmt::format(
+      "FoamFile\n{{\n    version     2.0;\n    format      {};\n    class       {};\n"
+      "    arch        \"LSB;label=32;scalar=64\";\n",
+      form == FoamForm::Binary ? "binary" : "ascii", foam_class);
+  if (!note.empty()) text += fmt::format("    note        \"{}\";\n", note);
+  return text + fmt::format("    location    \"constant/polyMesh\";\n    object      {};\n}}\n\n", object);
+}
+
+std::string foam_note(const FoamCounts& counts) {
+  return fmt::format("nPoints:{}  nCells:{}  nFaces:{}  nInternalFaces:{}", counts.n_points, counts.n_cells,
+                     counts.n_faces, counts.n_internal_faces);
+}
+
+IdVector<PatchId, std::string> foam_names(const IdVector<PatchId, BoundaryPatch>& patches) {
+  // Names that need no change keep them, whatever the others become.
+  std::set<std::string> taken;
+  for (const BoundaryPatch& patch : patches) {
+    if (word_of(patch.name) == patch.name) taken.insert(patch.name);
+  }
+  IdVector<PatchId, std::string> names;
+  for (const BoundaryPatch& patch : patches) {
+    const std::string word = word_of(patch.name);
+    std::string name = word;
+    if (word != patch.name) {
+      for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", word, i);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string foam_boundary(FoamForm form, const IdVector<PatchId, BoundaryPatch>& patches,
+                          const IdVector<PatchId, std::uint64_t>& n_faces, std::uint64_t n_internal_faces) {
+  const auto names = foam_names(patches);
+  const std::set<std::string> all_names(names.begin(), names.end());
+  std::string entries;
+  std::size_t n_entries = 0;
+  std::uint64_t start = n_internal_faces;
+  for (const PatchId patch : patches.ids()) {
+    if (n_faces[patch] == 0) continue;
+    const BoundaryType type = patches[patch].type;
+    entries += fmt::format("    {}\n    {{\n        type            {};\n", names[patch], foam_type(type));
+    // OpenFOAM warns of groups that bear the name of a patch.
+    const std::string group(name_of(type));
+    if (type != BoundaryType::Other && !all_names.contains(group)) {
+      entries += fmt::format("        inGroups        1({});\n", group);
+    }
+    entries += fmt::format("        nFaces          {};\n        startFace       {};\n    }}\n", n_faces[patch], start);
+    start += n_faces[patch];
+    ++n_entries;
+  }
+  return foam_header(form, "polyBoundaryMesh", "boundary") + fmt::format("{}\n(\n{})\n", n_entries, entries);
+}
+
+}  // namespace nearwall::io
