@@ -21,9 +21,12 @@ class BoundaryBuilder {
   BoundaryBuilder(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, const PatchOnPlane& patch_of)
       : layers_(layers), wall_(wall), patch_of_(patch_of) {}
 
-  void add_wall() {
+  /// \param is_all  also triangles that have no cell of the layers
+  void add_wall(bool is_all) {
     for (const FaceId f : wall_.surface.faces.ids()) {
       if (!wall_.face_component[f].is_valid()) continue;
+      const FrontFaceId column(f.index());
+      if (!is_all && layers_.column_offset(column) == layers_.column_end(column)) continue;
       const auto& v = wall_.surface.faces[f];
       const auto point = [&](VertexId w) { return number(w.index(), wall_.surface.points[w]); };
       const std::uint32_t a = point(v[0]), b = point(v[1]), c = point(v[2]);
@@ -50,6 +53,18 @@ class BoundaryBuilder {
       }
       const mesh::PlaneIndex plane = rest.rest_plane[t - rest.n_front];
       add(face, patch_of_(plane, middle_of(face)), FaceId(), plane);
+    }
+  }
+
+  void add_front(PatchId patch) {
+    const auto front = certify::front_surface(layers_.front(), layers_.lines());
+    for (const auto& triangle : front.triangles) {
+      if (std::none_of(triangle.begin(), triangle.end(), [&](std::uint32_t p) { return front.is_moved[p]; })) continue;
+      FaceNodes face{0, 0, 0, kNoNode};
+      for (std::size_t k = 0; k < 3; ++k) {
+        face[k] = number(node_of_front(layers_, triangle[k]), front.points[triangle[k]]);
+      }
+      add(face, patch, FaceId(), mesh::kNoPlane);
     }
   }
 
@@ -119,10 +134,32 @@ double DomainCertificate::closure() const {
 DomainBoundary domain_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall,
                                const RestBoundary& rest, const HybridMesh& mesh, const PatchOnPlane& patch_of) {
   BoundaryBuilder builder(layers, wall, patch_of);
-  builder.add_wall();
+  builder.add_wall(true);
   builder.add_sides();
   builder.add_rest(rest, mesh);
   return builder.take();
+}
+
+DomainBoundary layers_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, PatchId front,
+                               const PatchOnPlane& patch_of) {
+  BoundaryBuilder builder(layers, wall, patch_of);
+  builder.add_wall(false);
+  builder.add_sides();
+  builder.add_front(front);
+  return builder.take();
+}
+
+mesh::Boundary mesh_boundary(const DomainBoundary& boundary, IdVector<PatchId, mesh::BoundaryPatch> patches) {
+  mesh::Boundary result;
+  result.faces.reserve(boundary.faces.size());
+  for (const FaceNodes& face : boundary.faces) {
+    mesh::BoundaryFace nodes{0, 0, 0, mesh::kNoFourthNode};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(mesh::size_of(face)); ++k) nodes[k] = boundary.node[face[k]];
+    result.faces.push_back(nodes);
+  }
+  result.patch = boundary.patch;
+  result.patches = std::move(patches);
+  return result;
 }
 
 DomainCertificate certify_domain(const DomainBoundary& boundary, const mesh::SidePlanes* planes, double layers_volume,

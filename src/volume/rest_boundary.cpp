@@ -206,14 +206,6 @@ class RestBuilder {
     }
   }
 
-  NodeIndex node_of(std::uint32_t point) const {
-    const std::size_t n_lines = layers_.front().n_lines();
-    if (point >= front_.points.size()) return kNoLayerNode;
-    if (point >= n_lines) return layers_.n_nodes() - layers_.caps().size() + (point - n_lines);
-    const LineId line(point);
-    return layers_.node(line, layers_.lines().windows[line].end);
-  }
-
   /// Leaves out the points that no triangle has.
   void rename_points() {
     std::vector<Vec3> points;
@@ -226,7 +218,7 @@ class RestBuilder {
       if (!is_used[p]) continue;
       number[p] = static_cast<std::uint32_t>(points.size());
       points.push_back(rest_.surface.points[p]);
-      rest_.node.push_back(node_of(p));
+      rest_.node.push_back(node_of_front(layers_, p));
     }
     for (auto& t : rest_.surface.triangles) {
       for (std::uint32_t& p : t) p = number[p];
@@ -245,6 +237,14 @@ class RestBuilder {
 };
 
 }  // namespace
+
+NodeIndex node_of_front(const mesh::LayerMesh& layers, std::uint32_t point) {
+  const std::size_t n_lines = layers.front().n_lines(), n_caps = layers.caps().size();
+  if (point >= n_lines + n_caps) return kNoLayerNode;
+  if (point >= n_lines) return layers.n_nodes() - n_caps + (point - n_lines);
+  const LineId line(point);
+  return layers.node(line, layers.lines().windows[line].end);
+}
 
 RestBoundary rest_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, double growth,
                            const PlaneBorders& borders) {

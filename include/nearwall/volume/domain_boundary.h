@@ -5,19 +5,20 @@
 #include <functional>
 #include <vector>
 
+#include "nearwall/mesh/boundary.h"
 #include "nearwall/mesh/cell_faces.h"
 #include "nearwall/volume/hybrid_mesh.h"
 
 namespace nearwall::volume {
 
-/// The boundary of the whole mesh: wall, sides of the layers, rest of the planes, far field.
+/// The boundary of a mesh: wall, sides of the layers, then rest of the planes and far field, or else the front.
 struct DomainBoundary {
   std::vector<NodeIndex> node;          ///< (n_points) of the mesh
   std::vector<Vec3> points;             ///< (n_points)
   std::vector<mesh::FaceNodes> faces;   ///< (n_faces) counterclockwise seen from outside; kNoNode fourth: a triangle
   std::vector<PatchId> patch;           ///< (n_faces)
-  std::vector<FaceId> wall_face;        ///< (n_faces) of the wall; invalid on planes
-  std::vector<mesh::PlaneIndex> plane;  ///< (n_faces) kNoPlane on the wall
+  std::vector<FaceId> wall_face;        ///< (n_faces) of the wall; invalid elsewhere
+  std::vector<mesh::PlaneIndex> plane;  ///< (n_faces) kNoPlane on wall and front
 
   int size_of(std::size_t face) const { return mesh::size_of(faces[face]); }
 };
@@ -29,6 +30,13 @@ using PatchOnPlane = std::function<PatchId(mesh::PlaneIndex plane, const Vec3& m
 /// rest of the planes. Cost: O(n_faces).
 DomainBoundary domain_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall,
                                const RestBoundary& rest, const HybridMesh& mesh, const PatchOnPlane& patch_of);
+
+/// The same of the layers alone: wall triangles that have cells, the sides, the front, which is a patch of its own.
+DomainBoundary layers_boundary(const mesh::LayerMesh& layers, const certify::CertifiedWall& wall, PatchId front,
+                               const PatchOnPlane& patch_of);
+
+/// As writers read it. \param patches  (n_patches) names and types
+mesh::Boundary mesh_boundary(const DomainBoundary& boundary, IdVector<PatchId, mesh::BoundaryPatch> patches);
 
 /// What remains to be shown of the whole once the layers are certified, the boundary of the rest does not meet itself
 /// and the tetrahedra fill it (fill.h). Source: docs/theory/planes.md

@@ -23,6 +23,9 @@ struct RestBoundary {
   std::vector<mesh::PlaneIndex> rest_plane;  ///< (n_triangles − n_front)
 };
 
+/// Node of a point of certify::FrontSurface; kNoLayerNode beyond the ends of lines and the apices of caps.
+NodeIndex node_of_front(const mesh::LayerMesh& layers, std::uint32_t point);
+
 /// Lines in planes that new triangles keep: borders between patches. By plane; those of one line share their ends'
 /// bits.
 using PlaneBorders = std::vector<std::vector<std::array<Vec3, 2>>>;
