@@ -17,6 +17,9 @@ VolumeFile parse_su2(std::string_view bytes, const std::string& file);
 VolumeFile parse_ugrid(std::string_view bytes, const std::string& file);
 VolumeFile parse_ugrid_big(std::string_view bytes, const std::string& file);
 VolumeFile parse_ugrid_little(std::string_view bytes, const std::string& file);
+// Those of a UGRID are named after their numbers, `patch3`; NAME.mapbc beside the grid has names and types.
+void name_patches(VolumeFile& volume, std::string_view mapbc, const std::string& file);
+void read_names_beside(VolumeFile& volume, const std::filesystem::path& grid);
 VolumeFile parse_msh(std::string_view bytes, const std::string& file);
 VolumeFile parse_nastran(std::string_view bytes, const std::string& file);
 

@@ -19,12 +19,18 @@ struct Format {
   std::string_view ending;
   VolumeFile (*parse)(std::string_view bytes, const std::string& file) = nullptr;
   VolumeFile (*read)(const std::filesystem::path& path) = nullptr;
+  /// Reads what stands in files beside it.
+  void (*read_beside)(VolumeFile& volume, const std::filesystem::path& path) = nullptr;
 };
 
 /// Where one ending is the end of another, the longer one first.
 constexpr Format kFormats[] = {
     {"vtu", parse_vtu},
     {"vtk", parse_legacy_volume},
+    {"su2", parse_su2},
+    {"lb8.ugrid", parse_ugrid_little, nullptr, read_names_beside},
+    {"b8.ugrid", parse_ugrid_big, nullptr, read_names_beside},
+    {"ugrid", parse_ugrid, nullptr, read_names_beside},
 };
 
 /// The file's name in lower case without .gz.
@@ -75,7 +81,10 @@ VolumeFile read_volume_mesh(const std::filesystem::path& path) try {
   }
   const Format* const format = format_of(path);
   if (!format) fail_unknown(path);
-  return format->parse ? format->parse(read_bytes(path), path.string()) : read_by_name(*format, path);
+  if (!format->parse) return read_by_name(*format, path);
+  VolumeFile volume = format->parse(read_bytes(path), path.string());
+  if (format->read_beside) format->read_beside(volume, path);
+  return volume;
 } catch (const std::bad_alloc&) {
   throw IoError(fmt::format("{}: not enough memory to read the mesh", path.string()));
 } catch (const std::length_error&) {
