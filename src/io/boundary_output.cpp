@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 namespace nearwall::io {
 namespace {
@@ -22,22 +23,29 @@ std::string as_word(std::string_view name, std::string_view forbidden) {
 
 }  // namespace
 
+IdVector<PatchId, std::string> unique_names(const IdVector<PatchId, mesh::BoundaryPatch>& patches,
+                                            const std::function<std::string(std::string_view)>& fit,
+                                            std::span<const std::string_view> reserved) {
+  std::set<std::string, std::less<>> taken(reserved.begin(), reserved.end());
+  std::vector<bool> is_named(patches.size(), false);
+  IdVector<PatchId, std::string> names(patches.size());
+  for (const PatchId patch : patches.ids()) {
+    names[patch] = fit(patches[patch].name);
+    if (names[patch] == patches[patch].name) is_named[patch.index()] = taken.insert(names[patch]).second;
+  }
+  for (const PatchId patch : patches.ids()) {
+    if (is_named[patch.index()]) continue;
+    const std::string name = names[patch];
+    for (int number = 2; !taken.insert(names[patch]).second; ++number)
+      names[patch] = fmt::format("{}_{}", name, number);
+  }
+  return names;
+}
+
 IdVector<PatchId, std::string> patch_words(const IdVector<PatchId, mesh::BoundaryPatch>& patches,
                                            std::string_view forbidden, std::span<const std::string_view> reserved) {
-  std::set<std::string, std::less<>> taken(reserved.begin(), reserved.end());
-  IdVector<PatchId, std::string> words(patches.size());
-  for (const PatchId patch : patches.ids()) {
-    const std::string& name = patches[patch].name;
-    if (as_word(name, forbidden) == name && taken.insert(name).second) words[patch] = name;
-  }
-  for (const PatchId patch : patches.ids()) {
-    if (!words[patch].empty()) continue;
-    const std::string word = as_word(patches[patch].name, forbidden);
-    words[patch] = word;
-    for (int number = 2; !taken.insert(words[patch]).second; ++number)
-      words[patch] = fmt::format("{}_{}", word, number);
-  }
-  return words;
+  return unique_names(
+      patches, [&](std::string_view name) { return as_word(name, forbidden); }, reserved);
 }
 
 mesh::BoundaryFace seen_from_inside(const mesh::BoundaryFace& face) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,9 +9,14 @@
 
 namespace nearwall::io {
 
+/// Names of patches as `fit` makes them. Those that it leaves as they are stay so; others get a number behind them
+/// where another patch has that name, or it is reserved.
+IdVector<PatchId, std::string> unique_names(const IdVector<PatchId, mesh::BoundaryPatch>& patches,
+                                            const std::function<std::string(std::string_view)>& fit,
+                                            std::span<const std::string_view> reserved);
+
 /// Names of patches as single words, for formats whose names end at a blank or have other characters that mean
-/// something: blanks, controls and the forbidden characters become '_', an empty name `patch`. Names that are fit stay
-/// as they are; those that are not get a number behind them where another patch has that word, or it is reserved.
+/// something: blanks, controls and the forbidden characters become '_', an empty name `patch`; made unique.
 IdVector<PatchId, std::string> patch_words(const IdVector<PatchId, mesh::BoundaryPatch>& patches,
                                            std::string_view forbidden, std::span<const std::string_view> reserved);
 
