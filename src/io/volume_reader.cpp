@@ -8,6 +8,7 @@
 
 #include "io/cursor.h"
 #include "io/file_bytes.h"
+#include "io/openfoam_folder.h"
 #include "io/volume_formats.h"
 #include "nearwall/core/errors.h"
 
@@ -27,6 +28,9 @@ struct Format {
 constexpr Format kFormats[] = {
     {"vtu", parse_vtu},
     {"vtk", parse_legacy_volume},
+    {"foam", nullptr, read_openfoam},
+    {"msh", parse_msh},
+    {"msh2", parse_msh},
     {"su2", parse_su2},
     {"lb8.ugrid", parse_ugrid_little, nullptr, read_names_beside},
     {"b8.ugrid", parse_ugrid_big, nullptr, read_names_beside},
@@ -73,11 +77,15 @@ VolumeFile read_by_name(const Format& format, const std::filesystem::path& path)
 
 }  // namespace
 
-bool is_volume_name(const std::filesystem::path& path) { return format_of(path) != nullptr; }
+bool is_volume_name(const std::filesystem::path& path) { return format_of(path) != nullptr || openfoam_folder(path); }
 
 VolumeFile read_volume_mesh(const std::filesystem::path& path) try {
   if (std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("{}: is a folder, expected a file of a mesh", path.string()));
+    if (openfoam_folder(path)) return read_openfoam(path);
+    throw InputError(
+        fmt::format("{}: is a folder, expected a file of a mesh, or a folder of OpenFOAM: polyMesh, or one "
+                    "with constant/polyMesh in it",
+                    path.string()));
   }
   const Format* const format = format_of(path);
   if (!format) fail_unknown(path);
