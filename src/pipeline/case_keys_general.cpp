@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "pipeline/case_keys.h"
@@ -29,6 +30,22 @@ spacing::FlowConditions& flow(Target t) {
 }
 CaseValue flow_value(const Case& c, double spacing::FlowConditions::*member) {
   return c.flow && (*c.flow).*member > 0 ? CaseValue((*c.flow).*member) : CaseValue();
+}
+
+/// Each once.
+std::vector<io::MeshFormat> formats(const CaseValue& v) {
+  std::vector<io::MeshFormat> formats;
+  for (const std::string& name : std::get<std::vector<std::string>>(v)) {
+    const io::MeshFormat format = *io::mesh_format(name);
+    if (std::find(formats.begin(), formats.end(), format) == formats.end()) formats.push_back(format);
+  }
+  return formats;
+}
+
+CaseValue format_names(const Case& c) {
+  std::vector<std::string> names;
+  for (const io::MeshFormat format : c.output.formats) names.emplace_back(io::name_of(format));
+  return names;
 }
 
 std::vector<Key> top_keys() {
@@ -254,11 +271,10 @@ std::vector<Key> output_keys() {
                   .name = "formats",
                   .kind = Kind::Choices,
                   .default_text = "[\"vtu\"]",
-                  .choices = {"vtu"},
-                  .later = {"vtkhdf", "cgns", "su2", "ugrid", "msh", "openfoam"},
-                  .doc = "of the mesh",
-                  .set = [](Target, const CaseValue&) {},
-                  .get = [](const Case&, const LayerSettings&) { return CaseValue(std::vector<std::string>{"vtu"}); }});
+                  .choices = {io::kMeshFormatNames.begin(), io::kMeshFormatNames.end()},
+                  .doc = "of the mesh (docs/formats.md)",
+                  .set = [](Target t, const CaseValue& v) { t.settings.output.formats = formats(v); },
+                  .get = [](const Case& c, const LayerSettings&) { return format_names(c); }});
   keys.push_back({.table = "output",
                   .name = "report",
                   .kind = Kind::Boolean,

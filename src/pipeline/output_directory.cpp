@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/io/mesh_formats.h"
 
 namespace nearwall::pipeline {
 
@@ -18,8 +19,16 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kReports[] = {"report.json", "report.html"};
-constexpr const char* kResultEndings[] = {".vtu",        "-layers.vtu",      "-surface.vtp", "-front.vtp",
+constexpr const char* kResultEndings[] = {"-layers.vtu", "-surface.vtp",     "-front.vtp",   "-layers-boundary.vtp",
                                           "-faults.vtp", "-fill-faults.vtp", "-boundary.vtp"};
+
+bool is_mesh(const std::string& file, const std::string& name) {
+  for (std::size_t i = 0; i < io::kMeshFormatNames.size(); ++i) {
+    const auto files = io::mesh_file_names(name, static_cast<io::MeshFormat>(i));
+    if (std::find(files.begin(), files.end(), file) != files.end()) return true;
+  }
+  return false;
+}
 
 /// Turns the errors of the file system into ours.
 template <class Body>
@@ -81,7 +90,7 @@ void OutputDirectory::lock() {
 
 bool OutputDirectory::is_result(const std::string& file) const {
   if (std::find(std::begin(kReports), std::end(kReports), file) != std::end(kReports)) return true;
-  if (file == aside_.filename()) return true;
+  if (file == aside_.filename() || is_mesh(file, name_)) return true;
   if (!file.starts_with(name_)) return false;
   const std::string rest = file.substr(name_.size());
   if (std::find(std::begin(kResultEndings), std::end(kResultEndings), rest) != std::end(kResultEndings)) return true;
@@ -99,7 +108,7 @@ std::vector<fs::path> OutputDirectory::foreign_files() const {
 }
 
 fs::path OutputDirectory::aside(const std::string& file) {
-  files_.push_back(file);
+  if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
   return scratch(file);
 }
 
@@ -116,7 +125,7 @@ std::vector<std::string> OutputDirectory::publish() {
     // Earlier results go first: at no time do files of two runs stand side by side.
     for (const auto& entry : fs::directory_iterator(directory_)) {
       const std::string file = entry.path().filename().string();
-      if (is_result(file) && file != aside_.filename()) fs::remove(entry.path());
+      if (is_result(file) && file != aside_.filename()) fs::remove_all(entry.path());
     }
     for (const std::string& file : files_) fs::rename(aside_ / file, directory_ / file);
     fs::remove_all(aside_);

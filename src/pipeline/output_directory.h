@@ -22,7 +22,7 @@ class OutputDirectory {
 
   const std::filesystem::path& path() const { return directory_; }
 
-  /// Where to write a file of this name until it is published.
+  /// Where to write a file, or a folder, of this name until it is published.
   std::filesystem::path aside(const std::string& file);
 
   /// Names of the files asked for so far.

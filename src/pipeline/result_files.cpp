@@ -6,9 +6,6 @@
 
 #include "nearwall/geometry/box.h"
 #include "nearwall/io/picture.h"
-#include "nearwall/io/vtu_writer.h"
-#include "nearwall/mesh/mesh_source.h"
-#include "nearwall/quality/metrics.h"
 #include "pipeline/close_up.h"
 #include "pipeline/stage_clock.h"
 #include "pipeline/surface_file.h"
@@ -19,15 +16,6 @@ namespace {
 
 /// More than these, and their edges leave nothing of the colours of a picture of the whole surface.
 constexpr std::size_t kMostTrianglesWithEdges = 8000;
-
-io::CellArray scaled_jacobians() {
-  return {"ScaledJacobian", [](const mesh::CellBatch& batch, std::span<double> values) {
-            for (std::size_t i = 0; i < batch.size(); ++i) {
-              const auto n = static_cast<std::size_t>(mesh::size_of(batch.type[i]));
-              values[i] = quality::scaled_jacobian(batch.type[i], {batch.corners[i].data(), n});
-            }
-          }};
-}
 
 /// Makes one picture. \returns whether more of them make sense
 bool make_picture(const io::PictureRequest& request, ProgressSink& progress) {
@@ -78,16 +66,11 @@ void LayersOfInput::read_cells(std::size_t batch, mesh::CellBatch& out) const {
   }
 }
 
-void write_meshes(const Result& result, const mesh::MeshSource& mesh, const std::string& mesh_file,
-                  const std::string& name, OutputDirectory& output, ProgressSink& progress) {
-  progress.begin_stage("writing");
+void write_surfaces(const Result& result, const std::string& name, OutputDirectory& output) {
   const IdVector<FaceId, char> is_shown = faces_of_bodies(result.prepared);
-  const io::CellArray extra[] = {scaled_jacobians()};
-  io::write_vtu(output.aside(mesh_file), mesh, extra, {result.wall.surface.patch_names.raw()}, &progress);
   io::write_polydata(output.aside(name + "-surface.vtp"),
                      surface_file(result.wall, result.growth, result.coverage, result.prepared.input_face, is_shown));
   io::write_polydata(output.aside(name + "-front.vtp"), front_file(result.wall, result.growth, is_shown));
-  progress.end_stage();
 }
 
 std::vector<Picture> make_pictures(const Result& result, const std::string& name, bool has_volume,

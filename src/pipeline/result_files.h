@@ -39,13 +39,11 @@ class LayersOfInput final : public mesh::MeshSource {
   const IdVector<FaceId, FaceId>& input_face_;
 };
 
-/// NAME.vtu with all cells of `mesh` (NAME-layers.vtu if the volume that was asked for is missing), NAME-surface.vtp
-/// and NAME-front.vtp, aside. \throws IoError, Interrupted
-void write_meshes(const Result& result, const mesh::MeshSource& mesh, const std::string& mesh_file,
-                  const std::string& name, OutputDirectory& output, ProgressSink& progress);
+/// NAME-surface.vtp and NAME-front.vtp, aside. \throws IoError
+void write_surfaces(const Result& result, const std::string& name, OutputDirectory& output);
 
 /// The pictures, aside; where none can be made a note says so. \returns those that were made
-/// \param has_volume  NAME-boundary.vtp is there: a side of the domain is shown, too
+/// \param has_volume  there is a volume beside the layers: a side of the domain is shown, too
 std::vector<Picture> make_pictures(const Result& result, const std::string& name, bool has_volume,
                                    OutputDirectory& output, ProgressSink& progress);
 

@@ -15,6 +15,7 @@
 #include "nearwall/layers/grow.h"
 #include "nearwall/pipeline/faults_file.h"
 #include "pipeline/domain.h"
+#include "pipeline/mesh_files.h"
 #include "pipeline/output_directory.h"
 #include "pipeline/prepare.h"
 #include "pipeline/result_files.h"
@@ -221,23 +222,32 @@ VolumeReport describe_volume(const Volume& v, std::size_t n_patches) {
   return report;
 }
 
-/// The meshes: of layers and volume, or of the layers alone where no volume is asked for or it cannot be had.
-void write_results(const Result& result, OutputDirectory& output, StageClock& clock, Report& report) {
-  const LayersOfInput source(result.prepared, result.layers);
-  const auto write = [&](const mesh::MeshSource& mesh, const std::string& file) {
-    report.cells = mesh.n_cells_by_type();
-    report.points = mesh.n_points();
-    write_meshes(result, mesh, file, report.name, output, clock);
-  };
-  if (result.prepared.settings.volume.fill == Fill::None) return write(source, report.name + ".vtu");
-  const auto made = fill_volume(result.prepared, certified_wall(result.wall), result.layers, source,
+void count_cells(const mesh::MeshSource& mesh, Report& report) {
+  report.cells = mesh.n_cells_by_type();
+  report.points = mesh.n_points();
+}
+
+void write_layers_alone(const Result& result, const mesh::MeshSource& cells, const std::string& name,
+                        std::span<const io::MeshFormat> formats, OutputDirectory& output, StageClock& clock,
+                        Report& report) {
+  count_cells(cells, report);
+  auto patches = boundary_patches(result.prepared);
+  const volume::DomainBoundary boundary = boundary_of_layers(result, certified_wall(result.wall), patches);
+  write_mesh_files(result, {cells, boundary, std::move(patches)}, name, formats, output, clock);
+}
+
+/// Layers and volume; where it cannot be had, NAME-layers.vtu with the layers alone.
+void write_with_volume(const Result& result, const mesh::MeshSource& layers, OutputDirectory& output, StageClock& clock,
+                       Report& report) {
+  const auto made = fill_volume(result.prepared, certified_wall(result.wall), result.layers, layers,
                                 report.certificate.cells_volume, clock);
   if (const auto* failure = std::get_if<VolumeFailure>(&made)) {
     report.volume_failure = failure->reason;
     if (!failure->triangles.empty()) {
       io::write_polydata(output.aside(report.name + "-fill-faults.vtp"), fill_faults_file(*failure));
     }
-    return write(source, report.name + "-layers.vtu");
+    constexpr io::MeshFormat kVtu[] = {io::MeshFormat::Vtu};
+    return write_layers_alone(result, layers, report.name + "-layers", kVtu, output, clock, report);
   }
   const Volume& filled = std::get<Volume>(made);
   report.volume = describe_volume(filled, result.wall.surface.patch_names.size());
@@ -245,9 +255,22 @@ void write_results(const Result& result, OutputDirectory& output, StageClock& cl
     // Sides on which layers land have no faces of their own before.
     if (!has_layers(report.patches[p].type)) report.patches[p].coverage.area = report.volume->boundary[p].area;
   }
-  const volume::HybridMesh hybrid(source, filled.rest, filled.fill);
-  write(hybrid, report.name + ".vtu");
-  io::write_polydata(output.aside(report.name + "-boundary.vtp"), boundary_file(filled.boundary, result.prepared));
+  const volume::HybridMesh hybrid(layers, filled.rest, filled.fill);
+  count_cells(hybrid, report);
+  const volume::FilledRest rest{filled.rest, filled.fill, hybrid};
+  write_mesh_files(result, {hybrid, filled.boundary, boundary_patches(result.prepared), &rest}, report.name,
+                   result.prepared.settings.output.formats, output, clock);
+}
+
+/// The meshes, of layers and volume or of the layers alone, and the surfaces.
+void write_results(const Result& result, OutputDirectory& output, StageClock& clock, Report& report) {
+  const LayersOfInput layers(result.prepared, result.layers);
+  if (result.prepared.settings.volume.fill == Fill::None) {
+    write_layers_alone(result, layers, report.name, result.prepared.settings.output.formats, output, clock, report);
+  } else {
+    write_with_volume(result, layers, output, clock, report);
+  }
+  write_surfaces(result, report.name, output);
 }
 
 /// Layers, certificate, figures and files of a wall that was admitted.

@@ -118,36 +118,6 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
   return result;
 }
 
-io::PolyDataFile boundary_file(const volume::DomainBoundary& boundary, const Prepared& prepared) {
-  io::PolyDataFile file;
-  file.points = boundary.points;
-  std::vector<double> node(boundary.node.begin(), boundary.node.end());  // exact up to 2^53
-  std::vector<std::int32_t> patch, triangle;
-  const auto add_arrays = [&](std::size_t f) {
-    const FaceId wall_face = boundary.wall_face[f];
-    const FaceId input = wall_face.is_valid() ? prepared.input_face[wall_face] : FaceId();
-    patch.push_back(static_cast<std::int32_t>(boundary.patch[f].index()));
-    triangle.push_back(input.is_valid() ? static_cast<std::int32_t>(input.index()) : -1);
-  };
-  for (const int size : {3, 4}) {
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
-      if (boundary.size_of(f) != size) continue;
-      const auto& [a, b, c, d] = boundary.faces[f];
-      if (size == 3) {
-        file.triangles.push_back({a, b, c});
-      } else {
-        file.quads.push_back({a, b, c, d});
-      }
-      add_arrays(f);
-    }
-  }
-  file.point_data.push_back({"Node", std::move(node)});
-  file.triangle_data.push_back({"Patch", std::move(patch)});
-  file.triangle_data.push_back({"Triangle", std::move(triangle)});
-  file.field_data.push_back({"PatchNames", prepared.surface().patch_names.raw()});
-  return file;
-}
-
 io::PolyDataFile fill_faults_file(const VolumeFailure& failure) {
   const volume::FillBoundary& surface = failure.rest.surface;
   io::PolyDataFile file;

@@ -42,9 +42,6 @@ std::variant<Volume, VolumeFailure> fill_volume(const Prepared& prepared, const 
 /// Patch of a face on a plane at a place: that of the face of the surface that was there.
 volume::PatchOnPlane patches_on_planes(const Prepared& prepared);
 
-/// NAME-boundary.vtp: all faces of the domain's boundary with their patches and the numbers of their nodes.
-io::PolyDataFile boundary_file(const volume::DomainBoundary& boundary, const Prepared& prepared);
-
 /// The triangles that keep the rest from being filled.
 io::PolyDataFile fill_faults_file(const VolumeFailure& failure);
 

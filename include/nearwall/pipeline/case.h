@@ -9,6 +9,7 @@
 
 #include "nearwall/core/vec3.h"
 #include "nearwall/geometry/box.h"
+#include "nearwall/io/mesh_formats.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/spacing/schedule.h"
 #include "nearwall/spacing/wall_units.h"
@@ -128,6 +129,7 @@ struct VolumeSettings {
 
 struct OutputSettings {
   std::filesystem::path directory = "out";  ///< as written; relative to the case file
+  std::vector<io::MeshFormat> formats = {io::MeshFormat::Vtu};
   bool report = true;
   bool pictures = true;
 };
