@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/mesh_builder.h"
@@ -29,6 +30,7 @@ class Su2Reader {
     while (std::optional<Keyword> keyword = next_keyword()) read_section(*keyword);
     if (!has_points_) cursor_.fail("expected NPOIN= somewhere in the file, found none");
     if (!has_elements_) cursor_.fail("expected NELEM= somewhere in the file, found none");
+    require_no_tag();
     if (n_markers_ < n_markers_claimed_) {
       cursor_.fail(fmt::format("NMARK= claims {} markers, the file holds {}", n_markers_claimed_, n_markers_));
     }
@@ -75,9 +77,9 @@ class Su2Reader {
     } else if (keyword.key == "NMARK") {
       n_markers_claimed_ = count_of(keyword, 0);
     } else if (keyword.key == "MARKER_TAG") {
+      require_no_tag();
       if (keyword.value.empty()) cursor_.fail_expected("the name of a marker", {});
       tag_ = keyword.value;
-      ++n_markers_;
     } else if (keyword.key == "MARKER_ELEMS") {
       read_marker(keyword);
     } else {
@@ -114,6 +116,10 @@ class Su2Reader {
     if (!has_dimension_) cursor_.fail(fmt::format("expected NDIME= before {}=", keyword.key));
     if (has) cursor_.fail(fmt::format("{}= stands twice", keyword.key));
     has = true;
+  }
+
+  void require_no_tag() const {
+    if (!tag_.empty()) cursor_.fail(fmt::format("expected MARKER_ELEMS= of the marker '{}'", quoted(tag_)));
   }
 
   void go_to_line(std::string_view what, std::size_t i, std::size_t n) {
@@ -189,11 +195,13 @@ class Su2Reader {
   void read_marker(const Keyword& keyword) {
     if (tag_.empty()) cursor_.fail("expected MARKER_TAG= before MARKER_ELEMS=");
     const std::size_t n = count_of(keyword, kBytesOfElement);
-    if (tag_ == "SEND_RECEIVE") {  // what older files of parts of meshes tell each other
+    const std::string_view tag = std::exchange(tag_, {});
+    ++n_markers_;
+    if (tag == "SEND_RECEIVE") {  // what older files of parts of meshes tell each other
       passes_lines_ = true;
       return;
     }
-    const PatchId patch = builder_.patch(tag_);
+    const PatchId patch = builder_.patch(tag);
     for (std::size_t i = 0; i < n; ++i) {
       go_to_line("face", i, n);
       const VtkCellMeaning& meaning = read_type();
@@ -206,7 +214,6 @@ class Su2Reader {
         pass_over(meaning);
       }
     }
-    tag_ = {};
   }
 
   /// Triangles and quads among the elements: the surface of a file that has no other.
@@ -234,7 +241,7 @@ class Su2Reader {
   bool passes_lines_ = false;
   std::size_t n_markers_claimed_ = 0;
   std::size_t n_markers_ = 0;
-  std::string_view tag_;
+  std::string_view tag_;  // of a marker whose faces come next; else empty
   std::vector<SurfaceElement> surface_;
 };
 
