@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,6 @@ namespace {
 
 using mesh::BoundaryType;
 using mesh::FaceNodes;
-
-constexpr std::uint64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
 
 /// Faces of any number of corners.
 struct Faces {
