@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <limits>
 #include <system_error>
@@ -64,6 +65,13 @@ void require_labels(const FoamCounts& counts, FoamForm form) {
   }
 }
 
+/// A number as text that is read back as the same.
+template <class T>
+void append_text(std::string& out, T value) {
+  char text[32];
+  out.append(text, std::to_chars(std::begin(text), std::end(text), value).ptr);
+}
+
 void append_raw(std::string& out, Label value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
 
 /// A label in a list of labels.
@@ -71,7 +79,8 @@ void append_label(std::string& out, FoamForm form, std::uint64_t value) {
   if (form == FoamForm::Binary) {
     append_raw(out, static_cast<Label>(value));
   } else {
-    fmt::format_to(std::back_inserter(out), "{}\n", value);
+    append_text(out, value);
+    out += '\n';
   }
 }
 
@@ -81,8 +90,12 @@ void append_face(std::string& out, FoamForm form, const mesh::BoundaryFace& face
   if (form == FoamForm::Binary) {
     for (std::size_t k = 0; k < n; ++k) append_raw(out, static_cast<Label>(face[k]));
   } else {
-    fmt::format_to(std::back_inserter(out), "{}(", n);
-    for (std::size_t k = 0; k < n; ++k) fmt::format_to(std::back_inserter(out), "{} ", face[k]);
+    append_text(out, n);
+    out += '(';
+    for (std::size_t k = 0; k < n; ++k) {
+      append_text(out, face[k]);
+      out += ' ';
+    }
     out.back() = ')';
     out += '\n';
   }
@@ -225,7 +238,11 @@ class FoamWriter {
     std::string bytes;
     for (const Vec3& p : points.position) {
       if (form_ == FoamForm::Ascii) {
-        fmt::format_to(std::back_inserter(bytes), "({} {} {})\n", p.x(), p.y(), p.z());
+        bytes += '(';
+        for (int axis = 0; axis < 3; ++axis) {
+          append_text(bytes, p[axis]);
+          bytes += axis < 2 ? " " : ")\n";
+        }
       } else {
         const double xyz[] = {p.x(), p.y(), p.z()};
         bytes.append(reinterpret_cast<const char*>(xyz), sizeof xyz);
