@@ -33,14 +33,17 @@ void read_entities(MshInput& in, bool are_parts, MshEntities& entities) {
   for (int dimension = 0; dimension <= 3; ++dimension) {
     for (std::size_t i = 0; i < n[static_cast<std::size_t>(dimension)]; ++i) {
       const std::int64_t tag = in.tag("the tag of an entity");
+      MshEntity entity{0, tag};
       if (are_parts) {
-        in.tag("the dimension of the parent");
-        in.tag("the tag of the parent");
+        const bool is_part_of_alike = in.tag("the dimension of the parent") == dimension;
+        const std::int64_t parent = in.tag("the tag of the parent");
+        if (is_part_of_alike) entity.tag = parent;
         first_of_tags(in, "the number of parts");
       }
       in.point();
       if (dimension > 0) in.point();  // a box has two
-      entities[{dimension, tag}] = first_of_tags(in, "the number of physical groups");
+      entity.physical = first_of_tags(in, "the number of physical groups");
+      entities[{dimension, tag}] = entity;
       if (dimension > 0) first_of_tags(in, "the number of entities that bound it");
     }
   }
@@ -117,15 +120,16 @@ void read_msh41_elements(MshInput& in, const MshEntities& entities, MshContent& 
   std::size_t n_left = totals.n;
   for (std::size_t block = 0; block < totals.n_blocks; ++block) {
     const std::int64_t dimension = in.tag("the dimension of an entity");
-    const std::int64_t entity = in.tag("the tag of an entity");
+    const std::int64_t tag = in.tag("the tag of an entity");
     const MshElement element = content.element(in.tag("the type of elements"));
     if (element.dimension != dimension) {
       in.cursor().fail(
           fmt::format("elements of dimension {} in an entity of dimension {}", element.dimension, dimension));
     }
     const std::size_t n = length_of_block(in, n_left);
-    const auto found = entities.find({element.dimension, entity});
-    const MshGroup group = content.group(element.dimension, found == entities.end() ? 0 : found->second, entity);
+    const auto found = entities.find({element.dimension, tag});
+    const MshEntity entity = found == entities.end() ? MshEntity{0, tag} : found->second;
+    const MshGroup group = content.group(element.dimension, entity.physical, entity.tag);
     std::array<std::int64_t, 8> nodes;
     for (std::size_t i = 0; i < n; ++i) {
       in.number("the number of an element");

@@ -120,9 +120,7 @@ void MshContent::read_names(MshInput& in) {
       cursor.fail_expected("a physical name in double quotes", name);
     }
     name = name.substr(1, name.size() - 2);
-    if (name.empty()) continue;
-    names_[{static_cast<int>(dimension), number}] = name;
-    if (dimension == 2) builder_.patch(name);
+    if (!name.empty()) names_[{static_cast<int>(dimension), number}] = name;
   }
   in.end_section("PhysicalNames");
 }
@@ -144,7 +142,7 @@ MshElement MshContent::element(std::int64_t code) const {
   if (const auto known = msh_element(code)) return *known;
   throw InputError(
       fmt::format("{}: cell {} is of Gmsh's type {}: of higher order, or none that meshes of flows have; "
-                  "save it with linear cells: gmsh OLD.msh -order 1 -save -o NEW.msh",
+                  "save it with linear cells (Gmsh: SetOrder 1)",
                   file_, n_elements_, code));
 }
 

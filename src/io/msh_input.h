@@ -64,7 +64,7 @@ class MshContent {
 
   MeshBuilder& builder() { return builder_; }
 
-  /// The section $PhysicalNames: those of surfaces become patches, in that order.
+  /// The section $PhysicalNames.
   void read_names(MshInput& in);
   void add_tag(std::int64_t tag) { tags_.add(tag); }
   /// All nodes are there.
@@ -93,8 +93,14 @@ class MshContent {
 void read_msh22_nodes(MshInput& in, MshContent& content);
 void read_msh22_elements(MshInput& in, MshContent& content);
 
-/// The physical group of each entity, by dimension and tag; of several the first.
-using MshEntities = std::map<std::pair<int, std::int64_t>, std::int64_t>;
+/// A surface or volume of version 4, or a part of one.
+struct MshEntity {
+  std::int64_t physical = 0;  ///< number of its physical group, of several the first; 0: none
+  std::int64_t tag = 0;       ///< its own number; that of the whole for a part
+};
+
+/// By dimension and tag.
+using MshEntities = std::map<std::pair<int, std::int64_t>, MshEntity>;
 
 void read_msh41_entities(MshInput& in, MshEntities& entities);
 /// Those of a mesh that is cut into parts, which take the place of the others.

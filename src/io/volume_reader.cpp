@@ -31,6 +31,8 @@ constexpr Format kFormats[] = {
     {"foam", nullptr, read_openfoam},
     {"msh", parse_msh},
     {"msh2", parse_msh},
+    {"bdf", parse_nastran},
+    {"nas", parse_nastran},
     {"su2", parse_su2},
     {"lb8.ugrid", parse_ugrid_little, nullptr, read_names_beside},
     {"b8.ugrid", parse_ugrid_big, nullptr, read_names_beside},
