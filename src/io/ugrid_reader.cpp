@@ -159,7 +159,7 @@ std::map<std::string, MappedPatch> parse_mapbc(std::string_view bytes, const std
     const std::int64_t number = cursor.to_integer(cursor.word_of_line(), "the number of a patch");
     MappedPatch& patch = patches[name_of_number(number)];
     patch.code = cursor.to_integer(cursor.word_of_line(), "the number of a boundary condition");
-    patch.name = cursor.rest_of_line();
+    patch.name = cursor.word_of_line();  // what follows FUN3D does not read, either
   }
   return patches;
 }

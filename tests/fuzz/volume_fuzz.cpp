@@ -14,6 +14,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (node >= file.mesh.points.size()) std::abort();
     }
     if (file.mesh.first_node.back() != file.mesh.nodes.size()) std::abort();
+    for (const auto& face : file.boundary.faces) {
+      for (int k = 0; k < nearwall::mesh::size_of(face); ++k) {
+        if (face[k] >= file.mesh.points.size()) std::abort();
+      }
+    }
   } catch (const nearwall::GeometryError&) {
   } catch (const nearwall::InputError&) {
   }

@@ -243,12 +243,12 @@ VolumeFile named(std::vector<std::string> patches, const std::string& mapbc) {
 
 TEST(NamePatches, GivesNamesAndTypesByNumber) {
   const VolumeFile file = named({"patch1", "patch2", "patch3", "patch8"},
-                                "4\n8 4000 wing upper \r\n2\t5050\tfar\r\n3 6662\n99 4000 not in the grid\n");
-  EXPECT_THAT(file.patch_names, testing::ElementsAre("patch1", "far", "patch3", "wing upper"));
+                                "4\n8 4000 wing 17 \r\n2\t5050\tfar\r\n3 6662\n99 4000 not_in_the_grid\n");
+  EXPECT_THAT(file.patch_names, testing::ElementsAre("patch1", "far", "patch3", "wing"));
   EXPECT_THAT(
       file.boundary.patches,
       testing::ElementsAre(BoundaryPatch{"patch1", BoundaryType::Other}, BoundaryPatch{"far", BoundaryType::FarField},
-                           BoundaryPatch{"patch3", kSymmetry}, BoundaryPatch{"wing upper", BoundaryType::Wall}));
+                           BoundaryPatch{"patch3", kSymmetry}, BoundaryPatch{"wing", BoundaryType::Wall}));
 }
 
 TEST(NamePatches, KeepsNamesApart) {
@@ -262,6 +262,19 @@ TEST(NamePatches, RefusesWhatIsNoMap) {
   EXPECT_THROW(named({"patch1"}, "1\n1 viscous wing\n"), GeometryError);
   EXPECT_THROW(named({"patch1"}, "1000000\n1 4000 wing\n"), GeometryError);
   EXPECT_THROW(named({"patch1"}, "-1\n"), GeometryError);
+}
+
+TEST(NamePatches, WithstandsDamage) {
+  Mutator mutator(41);
+  int n_refused = 0;
+  for (int round = 0; round < 3000; ++round) {
+    try {
+      named({"patch1", "patch8"}, mutator.mutated("3\n8 4000 wing\n2 5050 far\n1 6662 symmetry\n"));
+    } catch (const GeometryError&) {
+      ++n_refused;
+    }
+  }
+  EXPECT_GT(n_refused, 500);
 }
 
 }  // namespace
