@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
 #include <concepts>
-#include <iterator>
 #include <span>
 #include <string>
 
@@ -25,7 +26,13 @@ void append_integers(std::string& out, std::span<const T> values) {
 
 /// Appends three coordinates with blanks between them, each with as few digits as read back to the same double.
 inline void append_coordinates(std::string& out, const Vec3& p) {
-  fmt::format_to(std::back_inserter(out), "{} {} {}", p.x(), p.y(), p.z());
+  std::array<char, 3 * 32> text;  // a double takes 24 at most
+  char* end = text.data();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) *end++ = ' ';
+    end = std::to_chars(end, text.data() + text.size(), p[axis]).ptr;
+  }
+  out.append(text.data(), end);
 }
 
 }  // namespace nearwall::io
