@@ -37,6 +37,8 @@ constexpr Format kFormats[] = {
     {"lb8.ugrid", parse_ugrid_little, nullptr, read_names_beside},
     {"b8.ugrid", parse_ugrid_big, nullptr, read_names_beside},
     {"ugrid", parse_ugrid, nullptr, read_names_beside},
+    {"cgns", nullptr, read_cgns},
+    {"vtkhdf", nullptr, read_vtkhdf},
 };
 
 /// The file's name in lower case without .gz.
@@ -78,6 +80,12 @@ VolumeFile read_by_name(const Format& format, const std::filesystem::path& path)
 }
 
 }  // namespace
+
+bool has_named_faces(const std::filesystem::path& path) {
+  if (openfoam_folder(path)) return true;
+  const Format* const format = format_of(path);
+  return format && !format->ending.starts_with("vt");
+}
 
 bool is_volume_name(const std::filesystem::path& path) { return format_of(path) != nullptr || openfoam_folder(path); }
 
