@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
@@ -154,6 +155,11 @@ std::optional<Hdf5Array> Hdf5Group::array(const std::string& name) const {
   array.size_ = static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space.id()));
   array.shape_.resize(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.id()))));
   H5Sget_simple_extent_dims(space.id(), array.shape_.data(), nullptr);
+  array.is_packed_ = array.size_ > 0 && array.chunks_.open(array.data_.id(), array.shape_);
+  if (array.chunks_.has_filters() && !array.is_packed_) {
+    throw InputError(fmt::format("{}: {} is packed in a way that is not read here: run h5repack -f GZIP=1 first",
+                                 file_->name(), array.name_));
+  }
   return array;
 }
 
@@ -188,9 +194,18 @@ std::string Hdf5Group::text(const std::string& attribute) const {
   return trimmed_end(text);
 }
 
+Hdf5Object Hdf5Group::text_set(const std::string& name) const {
+  Hdf5Object data = data_set(name);
+  ChunkReader chunks;
+  if (data && (chunks.open(data.id(), {1}) || chunks.has_filters())) {
+    file_->fail(fmt::format("{}: expected a text that is not packed", path_of(name)));
+  }
+  return data;
+}
+
 std::string Hdf5Group::characters(const std::string& name) const {
   const Hdf5Session session;
-  const Hdf5Object data = data_set(name);
+  const Hdf5Object data = text_set(name);
   if (!data) return {};
   const Hdf5Object type(H5Dget_type(data.id()));
   const Hdf5Object space(H5Dget_space(data.id()));
@@ -207,7 +222,7 @@ std::string Hdf5Group::characters(const std::string& name) const {
 
 std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
   const Hdf5Session session;
-  const Hdf5Object data = data_set(name);
+  const Hdf5Object data = text_set(name);
   if (!data) return {};
   const Hdf5Object type(H5Dget_type(data.id()));
   const Hdf5Object space(H5Dget_space(data.id()));
@@ -245,9 +260,24 @@ std::uint64_t Hdf5Array::run_size() const {
 }
 
 template <class T>
+void Hdf5Array::read_packed(hid_t type, std::uint64_t first, std::span<T> out) const {
+  const std::uint64_t row = size_ / shape_[0];
+  std::string bytes;
+  if (first % row != 0 || out.size() % row != 0 || !chunks_.read(first / row, out.size() / row, bytes)) {
+    file_->fail(fmt::format("{} is damaged: its packed data do not fit its size", name_));
+  }
+  const Hdf5Object stored(H5Dget_type(data_.id()));
+  // Converted in place, and types in files may be wider than in memory.
+  bytes.resize(std::max(bytes.size(), out.size_bytes()));
+  if (H5Tconvert(stored.id(), type, out.size(), bytes.data(), nullptr, H5P_DEFAULT) < 0) file_->fail_in(name_);
+  std::memcpy(out.data(), bytes.data(), out.size_bytes());
+}
+
+template <class T>
 void Hdf5Array::read_as(hid_t type, std::uint64_t first, std::span<T> out) const {
   if (out.empty()) return;
   const Hdf5Session session;
+  if (is_packed_) return read_packed(type, first, out);
   const Hdf5Object space(H5Dget_space(data_.id()));
   if (out.size() < size_ && !shape_.empty()) {
     const std::uint64_t row = size_ / shape_[0];

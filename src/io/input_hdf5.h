@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/objects_hdf5.h"
+#include "io/chunk_reader_hdf5.h"
 
 /// HDF5 files of strangers: whatever is in them, reading gives values or a GeometryError. Only what the file itself
 /// holds is read (no links to other files, no data kept outside), and sizes are held against that of the file before
@@ -50,6 +50,8 @@ class Hdf5Array {
   std::uint64_t run_size() const;  // whole rows
   template <class T>
   void read_as(hid_t type, std::uint64_t first, std::span<T> out) const;
+  template <class T>
+  void read_packed(hid_t type, std::uint64_t first, std::span<T> out) const;
 
   const Hdf5File* file_ = nullptr;
   std::string name_;  // with those of its groups
@@ -57,6 +59,8 @@ class Hdf5Array {
   std::vector<hsize_t> shape_;
   std::uint64_t size_ = 0;
   bool is_whole_ = false;
+  bool is_packed_ = false;
+  mutable ChunkReader chunks_;  // keeps the chunk that it unpacked last
 };
 
 /// A group of a file.
@@ -89,6 +93,8 @@ class Hdf5Group {
   std::string path_of(const std::string& name) const;
   /// Opens a data set of at most that many bytes, held in this file.
   Hdf5Object data_set(const std::string& name) const;
+  /// The same for texts, which nobody packs: HDF5 is not to unpack what may be damaged.
+  Hdf5Object text_set(const std::string& name) const;
 
   const Hdf5File* file_;
   std::string name_;

@@ -85,5 +85,10 @@ TEST(VtkHdf, RefusesOtherFilesOfHdf5) {
   EXPECT_THROW(read_volume_mesh(folder.file("mesh.vtkhdf", "text")), GeometryError);
 }
 
+TEST(MalformedVtkHdf, IsReadOrRefusedWhereverItIsDamaged) {
+  const int n_refused = damage(written(one_of_each(), {{"hull"}}), "mesh.vtkhdf", read_vtkhdf);
+  EXPECT_GT(n_refused, 100) << "the changes do reach the reader";
+}
+
 }  // namespace
 }  // namespace nearwall::io
