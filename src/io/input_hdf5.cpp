@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -30,9 +29,8 @@ std::string trimmed_end(std::string text) {
   return text;
 }
 
-/// Memory for texts of unknown length, refused beyond what a text may have.
-void* allocate_text(std::size_t n, void*) { return n <= kMostText ? std::malloc(n) : nullptr; }
-void free_text(void* text, void*) { std::free(text); }
+/// Bytes of the file's reference to a text of any length: its length, address of its heap, its number there.
+constexpr std::size_t kReference = 16;
 
 }  // namespace
 
@@ -62,6 +60,44 @@ void Hdf5File::fail_in(const std::string& member) const {
 }
 
 std::string Hdf5Group::path_of(const std::string& name) const { return fmt::format("{}/{}", name_, name); }
+
+std::uint64_t Hdf5File::number_at(std::uint64_t at, std::size_t n_bytes) const {
+  const std::string bytes = bytes_at(at, n_bytes);
+  std::uint64_t value = 0;
+  for (std::size_t i = n_bytes; i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+std::string Hdf5File::bytes_at(std::uint64_t at, std::size_t n) const {
+  std::ifstream in(name_, std::ios::binary);
+  std::string bytes(n, '\0');
+  if (at > size_ || n > size_ - at || !in.seekg(static_cast<std::streamoff>(at)) ||
+      !in.read(bytes.data(), static_cast<std::streamsize>(n))) {
+    fail(fmt::format("byte {}: cut off or damaged", at));
+  }
+  return bytes;
+}
+
+// HDF5 File Format Specification 3.0, III.E: a collection begins with "GCOL", a version, its size; objects have a
+// number, a count of users, a size, and fill up to 8 bytes. HDF5 1.10 itself crashes on damaged ones.
+std::string Hdf5File::heap_text(std::uint64_t at) const {
+  const std::uint64_t length = number_at(at, 4), heap = number_at(at + 4, 8), wanted = number_at(at + 12, 4);
+  if (length == 0) return {};
+  if (bytes_at(heap, 4) != "GCOL") fail(fmt::format("byte {}: expected a heap of texts", heap));
+  constexpr std::uint64_t kHead = 16;
+  const std::uint64_t n_heap = number_at(heap + 8, 8);
+  if (n_heap > size_ - heap) fail(fmt::format("byte {}: a heap of {} bytes", heap, n_heap));
+  for (std::uint64_t object = heap + kHead; object + kHead <= heap + n_heap;) {
+    const std::uint64_t number = number_at(object, 2), n = number_at(object + 8, 8);
+    if (number == 0 || n > n_heap) break;
+    if (number == wanted) {
+      if (length > n) break;
+      return trimmed_end(bytes_at(object + kHead, length));
+    }
+    object += kHead + (n + 7) / 8 * 8;
+  }
+  fail(fmt::format("byte {}: a text is not in its heap", at));
+}
 
 std::vector<std::string> Hdf5Group::members() const {
   const Hdf5Session session;
@@ -179,15 +215,9 @@ std::string Hdf5Group::text(const std::string& attribute) const {
   const Hdf5Object space(opened ? H5Aget_space(opened.id()) : H5I_INVALID_HID);
   if (!type || !space) file_->fail_in(name_);
   const std::size_t n = H5Tget_size(type.id());
-  if (H5Tget_class(type.id()) != H5T_STRING || H5Sget_simple_extent_npoints(space.id()) != 1 || n > kMostText) {
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
+      H5Sget_simple_extent_npoints(space.id()) != 1 || n > kMostText) {
     file_->fail(fmt::format("{}: expected a text in the attribute {}", name_, attribute));
-  }
-  if (H5Tis_variable_str(type.id()) > 0) {
-    char* read = nullptr;
-    if (H5Aread(opened.id(), type.id(), &read) < 0 || !read) file_->fail_in(name_);
-    const std::string text = read;
-    H5free_memory(read);
-    return trimmed_end(text);
   }
   std::string text(n, '\0');
   if (H5Aread(opened.id(), type.id(), text.data()) < 0) file_->fail_in(name_);
@@ -232,16 +262,10 @@ std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
   }
   std::vector<std::string> texts(n);
   if (n == 0) return texts;
-  const Hdf5Object transfer(H5Pcreate(H5P_DATASET_XFER));
-  H5Pset_vlen_mem_manager(transfer.id(), allocate_text, nullptr, free_text, nullptr);
   if (H5Tis_variable_str(type.id()) > 0) {
-    std::vector<char*> pointers(n, nullptr);
-    const herr_t code = H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, transfer.id(), pointers.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      if (pointers[i]) texts[i] = pointers[i];
-      std::free(pointers[i]);
-    }
-    if (code < 0) file_->fail_in(path_of(name));
+    const haddr_t at = H5Dget_offset(data.id());
+    if (at == HADDR_UNDEF) file_->fail(fmt::format("{}: expected texts in one piece", path_of(name)));
+    for (std::size_t i = 0; i < n; ++i) texts[i] = file_->heap_text(at + i * kReference);
     return texts;
   }
   const std::size_t n_each = H5Tget_size(type.id());

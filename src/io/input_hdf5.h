@@ -116,7 +116,12 @@ class Hdf5File {
   /// Whether the file can hold that many bytes, packed by zlib at the utmost.
   bool can_hold(std::uint64_t n_bytes) const { return n_bytes / kMostPacked <= size_; }
 
+  /// The text that the reference at that byte of the file stands for. \throws GeometryError
+  std::string heap_text(std::uint64_t at) const;
+
  private:
+  std::string bytes_at(std::uint64_t at, std::size_t n) const;
+  std::uint64_t number_at(std::uint64_t at, std::size_t n_bytes) const;
   static constexpr std::uint64_t kMostPacked = 1032;  // zlib's limit
 
   std::string name_;

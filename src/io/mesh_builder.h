@@ -8,7 +8,6 @@
 
 #include "io/cursor.h"
 #include "nearwall/io/volume_reader.h"
-#include "nearwall/mesh/surface_mesh.h"
 
 namespace nearwall::io {
 
@@ -52,10 +51,5 @@ class MeshBuilder {
   VolumeFile volume_;
   std::map<std::string, PatchId, std::less<>> patch_of_name_;
 };
-
-/// The boundary faces of a file as a surface: points that no face uses are dropped, quads are divided, patches without
-/// faces left out. \param file  its name, for messages
-/// \throws GeometryError  if there is no face
-mesh::SurfaceMesh surface_of(const VolumeFile& volume, const std::string& file);
 
 }  // namespace nearwall::io

@@ -4,28 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "nearwall/core/errors.h"
+#include "io/ugrid_layout.h"
+#include "nearwall/io/cgns_writer.h"
 #include "nearwall/io/msh_writer.h"
 #include "nearwall/io/openfoam_writer.h"
-#include "nearwall/io/pending_file.h"
 #include "nearwall/io/su2_writer.h"
 #include "nearwall/io/ugrid_writer.h"
+#include "nearwall/io/vtkhdf_writer.h"
 
 namespace nearwall::io {
 namespace {
 
 bool is_openfoam(MeshFormat format) { return format == MeshFormat::OpenFoam || format == MeshFormat::OpenFoamAscii; }
-
-/// The folder constant/polyMesh of a case, and the empty file by which ParaView opens the case.
-void write_foam_case(const std::filesystem::path& folder, const WholeMesh& mesh, FoamForm form,
-                     ProgressSink* progress) {
-  std::error_code error;
-  const std::filesystem::path constant = folder / "constant";
-  std::filesystem::create_directories(constant, error);
-  if (error) throw IoError(fmt::format("{}: cannot be made: {}", constant.string(), error.message()));
-  write_openfoam(constant / "polyMesh", mesh, form, progress);
-  write_text(folder / (mesh.name + ".foam"), "");
-}
 
 }  // namespace
 
@@ -50,10 +40,19 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> mesh_file_names(const std::string& name, MeshFormat format) {
-  if (is_openfoam(format)) return {name + "-openfoam"};
+  if (is_openfoam(format)) {
+    const std::string folder = fmt::format("{}-{}", name, name_of(format));
+    return {folder + "/constant/polyMesh", fmt::format("{}/{}.foam", folder, name)};
+  }
   std::vector<std::string> names = {fmt::format("{}.{}", name, name_of(format))};
-  if (names.front().ends_with("ugrid")) names.push_back(name + ".mapbc");
+  for (const auto& path : files_beside(names.front(), format)) names.push_back(path.string());
   return names;
+}
+
+std::vector<std::filesystem::path> files_beside(const std::filesystem::path& path, MeshFormat format) {
+  const bool is_ugrid =
+      format == MeshFormat::Ugrid || format == MeshFormat::UgridBig || format == MeshFormat::UgridLittle;
+  return is_ugrid ? std::vector{mapbc_path(path)} : std::vector<std::filesystem::path>();
 }
 
 void write_mesh(const std::filesystem::path& path, MeshFormat format, const WholeMesh& mesh, const MeshExtras& extras,
@@ -62,8 +61,9 @@ void write_mesh(const std::filesystem::path& path, MeshFormat format, const Whol
     case MeshFormat::Vtu:
       return write_vtu(path, mesh.cells, extras.arrays, {extras.patch_names}, progress);
     case MeshFormat::Vtkhdf:
+      return write_vtkhdf(path, mesh.cells, extras.arrays, {extras.patch_names}, progress);
     case MeshFormat::Cgns:
-      throw InputError(fmt::format("{}: not in this version", path.string()));
+      return write_cgns(path, mesh, progress);
     case MeshFormat::Su2:
       return write_su2(path, mesh, progress);
     case MeshFormat::Ugrid:
@@ -77,9 +77,9 @@ void write_mesh(const std::filesystem::path& path, MeshFormat format, const Whol
     case MeshFormat::Msh2:
       return write_msh(path, mesh, MshVersion::V22, progress);
     case MeshFormat::OpenFoam:
-      return write_foam_case(path, mesh, FoamForm::Binary, progress);
+      return write_openfoam(path, mesh, FoamForm::Binary, progress);
     case MeshFormat::OpenFoamAscii:
-      return write_foam_case(path, mesh, FoamForm::Ascii, progress);
+      return write_openfoam(path, mesh, FoamForm::Ascii, progress);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "io/surface_formats.h"
 #include "nearwall/core/errors.h"
 #include "nearwall/core/nearest.h"
+#include "nearwall/io/volume_reader.h"
 
 namespace nearwall::io {
 namespace {
@@ -29,16 +30,23 @@ using ParseWithArrays = mesh::SurfaceMesh (*)(std::string_view, const std::strin
 constexpr std::array<ParseWithArrays, kSurfaceEndings.size()> kParsersWithArrays = {
     nullptr, nullptr, parse_ply, nullptr, parse_vtp, parse_legacy_vtk};
 
+/// Of solvers' formats, whose faces with named patches are a surface, too.
+constexpr std::array<std::string_view, 6> kMeshEndings = {"msh", "su2", "cgns", "ugrid", "bdf", "nas"};
+
 /// Endings that are understood to mean a surface, but not read yet.
-constexpr std::array<std::string_view, 9> kLaterEndings = {"msh",  "su2",  "cgns",  "ugrid", "tri",
-                                                           "uh3d", "mesh", "meshb", "triq"};
+constexpr std::array<std::string_view, 5> kLaterEndings = {"tri", "uh3d", "mesh", "meshb", "triq"};
 
 [[noreturn]] void fail_unknown(const std::filesystem::path& path, const std::string& ending) {
   if (std::ranges::find(kLaterEndings, ending) != kLaterEndings.end()) {
-    throw InputError(fmt::format("{}: surfaces in .{} are not in this version; known: {} (also .gz)", path.string(),
-                                 ending, fmt::join(kSurfaceEndings, " ")));
+    throw InputError(fmt::format("{}: surfaces in .{} are not in this version; known: {} (also .gz), {}", path.string(),
+                                 ending, fmt::join(kSurfaceEndings, " "), fmt::join(kMeshEndings, " ")));
   }
-  const std::vector<std::string> known(kSurfaceEndings.begin(), kSurfaceEndings.end());
+  if (std::ranges::find(kMeshEndings, ending) != kMeshEndings.end()) {
+    throw InputError(fmt::format("{}: surfaces are read from .{}, but not written; written are: {} (also .gz)",
+                                 path.string(), ending, fmt::join(kSurfaceEndings, " ")));
+  }
+  std::vector<std::string> known(kSurfaceEndings.begin(), kSurfaceEndings.end());
+  known.insert(known.end(), kMeshEndings.begin(), kMeshEndings.end());
   const std::string near = nearest(ending, known);
   throw InputError(fmt::format("{}: {}, expected a surface in one of: {} (also .gz){}", path.string(),
                                ending.empty() ? "no ending" : fmt::format("unknown ending '.{}'", ending),
@@ -95,7 +103,7 @@ std::size_t surface_format(const std::filesystem::path& path) {
 }
 
 bool is_surface_name(const std::filesystem::path& path) {
-  return std::ranges::find(kSurfaceEndings, format_ending(path)) != kSurfaceEndings.end();
+  return std::ranges::find(kSurfaceEndings, format_ending(path)) != kSurfaceEndings.end() || has_named_faces(path);
 }
 
 std::string surface_stem(const std::filesystem::path& path) {
@@ -105,6 +113,7 @@ std::string surface_stem(const std::filesystem::path& path) {
 mesh::SurfaceMesh read_surface(const std::filesystem::path& path) { return read_surface(path, {}); }
 
 std::vector<std::string> point_array_names(const std::filesystem::path& path) {
+  if (has_named_faces(path)) return {};
   const auto parse = kParsersWithArrays[surface_format(path)];
   PointArrays arrays;
   if (parse) parse(read_bytes(path), path.string(), arrays);
@@ -112,6 +121,10 @@ std::vector<std::string> point_array_names(const std::filesystem::path& path) {
 }
 
 mesh::SurfaceMesh read_surface(const std::filesystem::path& path, std::span<const std::string> point_arrays) try {
+  if (has_named_faces(path)) {
+    if (!point_arrays.empty()) fail_without_arrays(path, format_ending(path), point_arrays.front());
+    return surface_of(read_volume_mesh(path), path.string());
+  }
   if (std::filesystem::is_directory(path)) {
     throw InputError(fmt::format("{}: is a folder, expected a surface file", path.string()));
   }

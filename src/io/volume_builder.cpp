@@ -108,11 +108,22 @@ void VolumeBuilder::add_nodes(std::span<const std::int64_t> run) {
   }
 }
 
+void VolumeBuilder::add_layers(std::span<const std::int64_t> run) {
+  // Other programs may mean something else by it: what is no layer counts as outside of them.
+  constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+  for (const std::int64_t layer : run) {
+    layers_.push_back(layer > 0 && layer <= kMost ? static_cast<std::int32_t>(layer) : 0);
+  }
+}
+
 void VolumeBuilder::check_cells() const {
   if (n_coordinates_ % 3 != 0) fail("the points do not have 3 coordinates each");
   if (n_types() != n_ends()) {
     fail(
         fmt::format("there are {} types but {} offsets of cells; the file is cut off or damaged", n_types(), n_ends()));
+  }
+  if (!layers_.empty() && layers_.size() != n_types()) {
+    fail(fmt::format("there are {} layers for {} cells; the file is cut off or damaged", layers_.size(), n_types()));
   }
   const std::vector<std::uint64_t>& first = volume_.mesh.first_node;
   if (first.back() != volume_.mesh.nodes.size()) {
@@ -145,6 +156,7 @@ void VolumeBuilder::end_piece() {
       to += meaning.size;
       mesh.type.push_back(meaning.type);
       mesh.file_cell.push_back(cells_before_ + c);
+      if (!layers_.empty()) mesh.layer.push_back(layers_[c]);
       mesh.first_node[++kept] = to;  // never ahead of what is read: kept <= first_cell_ + c + 1
     } else {
       std::uint64_t& n = meaning.use == Use::SkippedFace   ? volume_.skipped.faces
@@ -158,6 +170,7 @@ void VolumeBuilder::end_piece() {
   mesh.nodes.resize(to);
   cells_before_ += codes_.size();
   codes_.clear();
+  layers_.clear();
   first_point_ = mesh.points.size();
   first_cell_ = kept;
   first_node_ = to;
@@ -166,6 +179,8 @@ void VolumeBuilder::end_piece() {
 
 VolumeFile VolumeBuilder::finish(std::vector<std::string> patch_names) {
   volume_.patch_names = std::move(patch_names);
+  // Known for some of the pieces only: not known.
+  if (volume_.mesh.layer.size() != volume_.mesh.n_cells()) volume_.mesh.layer.clear();
   return std::move(volume_);
 }
 

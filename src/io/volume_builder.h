@@ -17,10 +17,11 @@ class VolumeBuilder {
   explicit VolumeBuilder(std::string file) : file_(std::move(file)) { volume_.mesh.first_node.push_back(0); }
 
   /// \throws GeometryError, InputError  naming the point or cell by its number in the file, from 0
-  void add_coordinates(std::span<const double> run);  ///< x y z of point after point
-  void add_types(std::span<const std::int64_t> run);  ///< VTK's numbers
-  void add_ends(std::span<const std::int64_t> run);   ///< where each cell's nodes end, counted from the piece's first
-  void add_nodes(std::span<const std::int64_t> run);  ///< all points of the piece are there already
+  void add_coordinates(std::span<const double> run);   ///< x y z of point after point
+  void add_types(std::span<const std::int64_t> run);   ///< VTK's numbers
+  void add_ends(std::span<const std::int64_t> run);    ///< where each cell's nodes end, counted from the piece's first
+  void add_nodes(std::span<const std::int64_t> run);   ///< all points of the piece are there already
+  void add_layers(std::span<const std::int64_t> run);  ///< of each cell of the piece; no layers at all: not known
   void end_piece();
 
   /// How many will be added, where that is known: saves memory.
@@ -47,6 +48,7 @@ class VolumeBuilder {
   // Of the piece that is being read. Its cells' ends stand in first_node, all its cells' nodes in nodes; end_piece
   // moves together what is kept.
   std::vector<std::uint8_t> codes_;
+  std::vector<std::int32_t> layers_;
   std::size_t first_point_ = 0;
   std::size_t first_cell_ = 0;  // in the mesh
   std::uint64_t first_node_ = 0;

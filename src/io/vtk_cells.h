@@ -25,6 +25,10 @@ inline constexpr std::array<VtkCell, mesh::kNCellTypes> kVtkCells = {{
 /// A hexahedron that is never written: a box whose nodes are numbered row by row.
 inline constexpr VtkCell kVtkVoxel = {11, {0, 1, 3, 2, 4, 5, 7, 6}};
 
+/// Faces whose points do not go round them.
+inline constexpr std::int64_t kVtkStrip = 6;
+inline constexpr std::int64_t kVtkPixel = 8;
+
 /// What a cell of a file means to us.
 struct VtkCellMeaning {
   enum class Use : std::uint8_t { Refused, Cell, SkippedPoint, SkippedLine, SkippedFace };
@@ -41,16 +45,16 @@ inline constexpr std::array<VtkCellMeaning, kNVtkCodes> kVtkMeanings = [] {
   using Use = VtkCellMeaning::Use;
   std::array<VtkCellMeaning, kNVtkCodes> all{};
   const auto skip = [&](std::size_t code, Use use, std::uint8_t size) { all[code].use = use, all[code].size = size; };
-  skip(0, Use::SkippedPoint, 0);  // VTK_EMPTY_CELL
-  skip(1, Use::SkippedPoint, 1);  // VTK_VERTEX
-  skip(2, Use::SkippedPoint, 0);  // VTK_POLY_VERTEX
-  skip(3, Use::SkippedLine, 2);   // VTK_LINE
-  skip(4, Use::SkippedLine, 0);   // VTK_POLY_LINE
-  skip(5, Use::SkippedFace, 3);   // VTK_TRIANGLE
-  skip(6, Use::SkippedFace, 0);   // VTK_TRIANGLE_STRIP
-  skip(7, Use::SkippedFace, 0);   // VTK_POLYGON
-  skip(8, Use::SkippedFace, 4);   // VTK_PIXEL
-  skip(9, Use::SkippedFace, 4);   // VTK_QUAD
+  skip(0, Use::SkippedPoint, 0);         // VTK_EMPTY_CELL
+  skip(1, Use::SkippedPoint, 1);         // VTK_VERTEX
+  skip(2, Use::SkippedPoint, 0);         // VTK_POLY_VERTEX
+  skip(3, Use::SkippedLine, 2);          // VTK_LINE
+  skip(4, Use::SkippedLine, 0);          // VTK_POLY_LINE
+  skip(5, Use::SkippedFace, 3);          // VTK_TRIANGLE
+  skip(kVtkStrip, Use::SkippedFace, 0);  // VTK_TRIANGLE_STRIP
+  skip(7, Use::SkippedFace, 0);          // VTK_POLYGON
+  skip(kVtkPixel, Use::SkippedFace, 4);  // VTK_PIXEL
+  skip(9, Use::SkippedFace, 4);          // VTK_QUAD
   const auto read = [&](const VtkCell& cell, mesh::CellType type) {
     all[cell.code] = {Use::Cell, static_cast<std::uint8_t>(mesh::size_of(type)), type, cell.node};
   };

@@ -8,6 +8,9 @@
 namespace nearwall::io {
 namespace {
 
+/// Of cells: 1 at the wall, 0 outside the layers.
+constexpr std::string_view kLayer = "Layer";
+
 class VtuReader {
  public:
   VtuReader(std::string_view bytes, const std::string& file)
@@ -38,7 +41,17 @@ class VtuReader {
     check_count(piece, "NumberOfCells", "offsets", builder_.n_ends());
     const auto reserve_nodes = [&](std::size_t n) { builder_.expect_nodes(n); };
     read_integers(find(piece, "Cells", "connectivity"), reserve_nodes, &VolumeBuilder::add_nodes);
+    if (const XmlArray* layers = find(piece, "CellData", kLayer); layers && is_single_integer(*layers)) {
+      read_integers(
+          layers, [](std::size_t) {}, &VolumeBuilder::add_layers);
+    }
     builder_.end_piece();
+  }
+
+  static bool is_single_integer(const XmlArray& array) {
+    const std::string_view components = array.tag.attribute("NumberOfComponents");
+    const std::string_view type = array.tag.attribute("type");
+    return (components.empty() || components == "1") && (type.starts_with("Int") || type.starts_with("UInt"));
   }
 
   void read_integers(const XmlArray* array, const VtkXmlInput::Announce& reserve,

@@ -72,7 +72,7 @@ std::vector<Key> surface_keys() {
                   .name = "file",
                   .kind = Kind::Text,
                   .example = "\"surface.stl\"",
-                  .doc = "relative to this file: stl obj ply off vtp vtk, also .gz",
+                  .doc = "relative to this file: stl obj ply off vtp vtk, also .gz; msh su2 cgns ugrid bdf",
                   .set = [](Target t, const CaseValue& v) { t.settings.surface.file = text(v); },
                   .get = [](const Case& c, const LayerSettings&) { return CaseValue(c.surface.file.string()); }});
   keys.push_back({.table = "surface",

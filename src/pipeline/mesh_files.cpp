@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "nearwall/io/boundary_file.h"
+#include "nearwall/io/pending_file.h"
 #include "nearwall/quality/metrics.h"
 #include "pipeline/stage_clock.h"
 #include "pipeline/volume_stage.h"
@@ -99,7 +100,10 @@ void write_mesh_files(const Result& result, const MeshToWrite& mesh, const std::
   for (const io::MeshFormat format : formats) {
     staged(progress, fmt::format("writing {}", io::name_of(format)), [&] {
       const auto files = io::mesh_file_names(name, format);
-      for (const std::string& file : files) output.aside(file);
+      for (const std::string& file : files) {
+        const auto path = output.aside(file);
+        if (file.ends_with(".foam")) io::write_text(path, "");
+      }
       io::write_mesh(output.scratch(files.front()), format, whole, extras, &progress);
     });
   }

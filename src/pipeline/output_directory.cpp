@@ -22,12 +22,31 @@ constexpr const char* kReports[] = {"report.json", "report.html"};
 constexpr const char* kResultEndings[] = {"-layers.vtu", "-surface.vtp",     "-front.vtp",   "-layers-boundary.vtp",
                                           "-faults.vtp", "-fill-faults.vtp", "-boundary.vtp"};
 
-bool is_mesh(const std::string& file, const std::string& name) {
+/// Everything that meshes of a case may be written as.
+std::vector<fs::path> mesh_files(const std::string& name) {
+  std::vector<fs::path> all;
   for (std::size_t i = 0; i < io::kMeshFormatNames.size(); ++i) {
-    const auto files = io::mesh_file_names(name, static_cast<io::MeshFormat>(i));
-    if (std::find(files.begin(), files.end(), file) != files.end()) return true;
+    for (const std::string& file : io::mesh_file_names(name, static_cast<io::MeshFormat>(i))) all.emplace_back(file);
   }
-  return false;
+  return all;
+}
+
+/// Is it one of these, or a folder that holds one?
+bool is_mesh(const std::string& file, const std::string& name) {
+  const auto files = mesh_files(name);
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& mesh) { return *mesh.begin() == file; });
+}
+
+/// A folder of a solver's case may hold more than the mesh: its set-up and results stay.
+void remove_mesh_in_folders(const fs::path& directory, const std::string& name) {
+  for (const fs::path& file : mesh_files(name)) {
+    if (!file.has_parent_path()) continue;
+    fs::remove_all(directory / file);
+    for (fs::path folder = file.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+      if (!fs::is_directory(directory / folder) || !fs::is_empty(directory / folder)) break;
+      fs::remove(directory / folder);
+    }
+  }
 }
 
 /// Turns the errors of the file system into ours.
@@ -113,7 +132,7 @@ fs::path OutputDirectory::aside(const std::string& file) {
 }
 
 fs::path OutputDirectory::scratch(const std::string& file) {
-  on_disk(aside_, [&] { fs::create_directories(aside_); });
+  on_disk(aside_, [&] { fs::create_directories((aside_ / file).parent_path()); });
   return aside_ / file;
 }
 
@@ -125,9 +144,13 @@ std::vector<std::string> OutputDirectory::publish() {
     // Earlier results go first: at no time do files of two runs stand side by side.
     for (const auto& entry : fs::directory_iterator(directory_)) {
       const std::string file = entry.path().filename().string();
-      if (is_result(file) && file != aside_.filename()) fs::remove_all(entry.path());
+      if (is_result(file) && entry.is_regular_file()) fs::remove(entry.path());
     }
-    for (const std::string& file : files_) fs::rename(aside_ / file, directory_ / file);
+    remove_mesh_in_folders(directory_, name_);
+    for (const std::string& file : files_) {
+      fs::create_directories((directory_ / file).parent_path());
+      fs::rename(aside_ / file, directory_ / file);
+    }
     fs::remove_all(aside_);
   });
   return files_;

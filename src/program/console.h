@@ -65,9 +65,14 @@ class Console final : public ProgressSink {
 template <class Work>
 auto staged(ProgressSink& progress, std::string_view name, Work&& work) {
   progress.begin_stage(name);
-  auto result = std::forward<Work>(work)();
-  progress.end_stage();
-  return result;
+  if constexpr (std::is_void_v<decltype(work())>) {
+    work();
+    progress.end_stage();
+  } else {
+    auto result = work();
+    progress.end_stage();
+    return result;
+  }
 }
 
 }  // namespace nearwall::program

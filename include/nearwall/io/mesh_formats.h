@@ -32,8 +32,12 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 /// Whether the format holds the boundary. VTU and VTKHDF do not: theirs stands in NAME-boundary.vtp beside.
 constexpr bool has_boundary(MeshFormat format) { return format != MeshFormat::Vtu && format != MeshFormat::Vtkhdf; }
 
-/// Names of what is written for a mesh NAME: a file, for UGRID two, for OpenFOAM the folder of a case.
+/// Files of a mesh NAME, the mesh itself first. UGRID has NAME.mapbc besides; OpenFOAM's is the folder
+/// NAME-openfoam/constant/polyMesh, with the empty NAME-openfoam/NAME.foam by which ParaView opens it.
 std::vector<std::string> mesh_file_names(const std::string& name, MeshFormat format);
+
+/// What `write_mesh` writes besides: NAME.mapbc beside a UGRID file.
+std::vector<std::filesystem::path> files_beside(const std::filesystem::path& path, MeshFormat format);
 
 /// Cell arrays that VTK's formats hold besides.
 struct MeshExtras {
@@ -42,7 +46,7 @@ struct MeshExtras {
 };
 
 /// Writes a mesh; what each format keeps: docs/formats.md.
-/// \param path  of the file; for OpenFOAM of the folder of a case, in which constant/polyMesh is made
+/// \param path  of the file; for OpenFOAM of the folder polyMesh, which is made
 /// \throws InputError  a 32-bit limit of the format is exceeded, before anything is written; IoError
 void write_mesh(const std::filesystem::path& path, MeshFormat format, const WholeMesh& mesh, const MeshExtras& extras,
                 ProgressSink* progress = nullptr);

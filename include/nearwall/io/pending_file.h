@@ -18,8 +18,8 @@ class PendingFile {
 
   /// Appends. \throws IoError
   void write(std::string_view bytes);
-  /// Writes at a place in the file, which may be behind its end: formats whose parts are made side by side. `write` goes
-  /// on where it was, and overwrites what stands there. \throws IoError
+  /// Writes at a place in the file, which may be behind its end: formats whose parts are made side by side. `write`
+  /// goes on where it was, and overwrites what stands there. \throws IoError
   void write_at(std::uint64_t offset, std::string_view bytes);
   /// Flushes and renames; an older file of that name is replaced. Call once. \throws IoError
   void commit();

@@ -22,7 +22,9 @@ class PointArrayMissing : public InputError {
 /// dropped. Formats with shared points (obj, ply, off, vtp, vtk) keep the sharing; stl gives three points for each
 /// triangle. Faces with more than three corners are triangulated, patches without faces left out.
 ///
-/// \param path  ends in stl, obj, ply, off, vtp or vtk, upper or lower case, also with .gz behind it
+/// Of solvers' formats (volume_reader.h) the faces with named patches are taken, such as the markers of a volume mesh.
+///
+/// \param path  ends in stl, obj, ply, off, vtp or vtk, upper or lower case, also with .gz behind it, or as meshes do
 /// \throws InputError     no such file, a folder, or an ending that is not known
 ///         IoError        no permission, read failure, no memory
 ///         GeometryError  the content is malformed or holds no triangle: file, line or byte, what was expected

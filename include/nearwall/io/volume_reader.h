@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nearwall/mesh/boundary.h"
+#include "nearwall/mesh/surface_mesh.h"
 #include "nearwall/mesh/volume_mesh.h"
 
 namespace nearwall::io {
@@ -43,5 +44,12 @@ VolumeFile read_volume_mesh(const std::filesystem::path& path);
 
 /// Whether the name ends as those of meshes that `read_volume_mesh` reads.
 bool is_volume_name(const std::filesystem::path& path);
+
+/// Whether files of that ending hold faces with the names of their patches, beside cells or alone: those of solvers.
+bool has_named_faces(const std::filesystem::path& path);
+
+/// The faces of a file with named patches as a surface: points that no face uses are dropped, quads are divided,
+/// patches without faces left out. \throws GeometryError  if there is no face
+mesh::SurfaceMesh surface_of(const VolumeFile& volume, const std::string& file);
 
 }  // namespace nearwall::io
