@@ -24,6 +24,9 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* text) {
 
 Hdf5Session::Hdf5Session() {
   session_mutex().lock();
+  // What HDF5 1.10 does at the end of the process crashes, or prints, after a file could not be closed or was damaged.
+  // It must be told before its first use; all files are closed by hand.
+  [[maybe_unused]] static const herr_t is_told = H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &printer_, &argument_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -39,8 +42,8 @@ void Hdf5Object::reset() noexcept {
   H5Idec_ref(std::exchange(id_, H5I_INVALID_HID));
 }
 
+// No session of its own: to begin one clears what failed.
 std::string hdf5_failure() {
-  const Hdf5Session session;
   std::string text;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &text);
   return text.empty() ? "unknown error" : text;

@@ -8,7 +8,7 @@
 
 #include "io/hdf5_session.h"
 
-/// What readers and writers of HDF5 files share. Every function takes the session for itself.
+/// What readers and writers of HDF5 files share.
 namespace nearwall::io {
 
 /// Owns an HDF5 identifier of any kind: file, group, data set, type, list of properties.
@@ -31,7 +31,7 @@ class Hdf5Object {
   hid_t id_ = H5I_INVALID_HID;
 };
 
-/// HDF5's own words on its last failure in this thread, the innermost first.
+/// HDF5's own words on its last failure in this thread. \pre  the session in which it failed goes on
 std::string hdf5_failure();
 
 /// How files are opened: without locks, which some file systems refuse, and which a file under a hidden name needs not.
