@@ -47,6 +47,9 @@ PolyDataInput faces_of_grid(LegacyVtkInput& in) {
     ++n_faces;
   }
   for (auto& array : data.cell_arrays) array.values.resize(n_faces);
+  if (n_faces == 0) {
+    in.cursor().fail("the grid has no triangles, quads or polygons (in ParaView: Extract Surface, then save)");
+  }
   return data;
 }
 

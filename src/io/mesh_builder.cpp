@@ -8,6 +8,7 @@
 
 #include "io/surface_builder.h"
 #include "nearwall/core/errors.h"
+#include "nearwall/mesh/volume_neighbours.h"
 
 namespace nearwall::io {
 namespace {
@@ -94,7 +95,8 @@ VolumeFile MeshBuilder::finish() {
 
 mesh::SurfaceMesh surface_of(const VolumeFile& volume, const std::string& file) {
   const FilePosition where{file, true, 0};
-  const mesh::Boundary& boundary = volume.boundary;
+  mesh::Boundary boundary = volume.boundary;
+  if (volume.mesh.n_cells() > 0) mesh::fit_boundary(volume.mesh, boundary);
   SurfaceBuilder builder;
   std::vector<std::int64_t> number(volume.mesh.points.size(), -1);
   const auto faces = mesh::faces_by_patch(boundary);

@@ -77,7 +77,7 @@ TEST(ReadSurface, ToldApartMissingFolderAndEnding) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("unknown ending '.sltl'"), HasSubstr("stl obj ply off vtp vtk"),
                                               HasSubstr("did you mean .stl?"))));
   EXPECT_THAT(reading("wing"), ThrowsMessage<InputError>(HasSubstr("no ending")));
-  EXPECT_THAT(reading("wing.msh.gz"), ThrowsMessage<InputError>(HasSubstr("not in this version")));
+  EXPECT_THAT(reading("wing.meshb.gz"), ThrowsMessage<InputError>(HasSubstr("not in this version")));
 }
 
 TEST(ReadSurface, TakesEndingsInUpperCaseAndGzip) {
@@ -320,6 +320,8 @@ TEST(ReadVtk, NamesThePlaceOfAMistake) {
   const std::string head = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n";
   expect_refused("a.vtk", "solid", HasSubstr("expected '# vtk DataFile Version'"));
   expect_refused("a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n",
+                 HasSubstr("Extract Surface"));
+  expect_refused("a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\n",
                  AllOf(HasSubstr(":4:"), HasSubstr("Extract Surface")));
   expect_refused("a.vtk", head + "POINTS 99999999999999 float\n0 0 0\n", HasSubstr("more than"));
   expect_refused("a.vtk", head + "POINTS 1 quad\n0 0 0\n", HasSubstr("found 'quad'"));

@@ -168,7 +168,7 @@ TEST(ReadVolumeMesh, NamesThePointThatIsNotFinite) {
 TEST(ReadVolumeMesh, RefusesOtherFiles) {
   EXPECT_THROW(read_volume_mesh("no/such/file.vtu"), InputError);
   EXPECT_THROW(read_volume_mesh("/tmp"), InputError);
-  EXPECT_THAT(message_of("m.cgns", ""), HasSubstr("unknown ending '.cgns', expected a mesh in one of: vtu vtk"));
+  EXPECT_THAT(message_of("m.stl", ""), HasSubstr("unknown ending '.stl', expected a mesh in one of: vtu vtk"));
   EXPECT_THAT(message_of("m.vtu", ""), HasSubstr("this is no VTK XML file"));
   EXPECT_TRUE(is_volume_name("a/b.VTU.gz"));
   EXPECT_TRUE(is_volume_name("b.vtk"));

@@ -287,10 +287,13 @@ INSTANTIATE_TEST_SUITE_P(
          "dir/case.toml:6:15: normals.multi_angle: expected a number from 1 to 179 (degrees), found 190"},
         {"MaxTurn", "[normals]\nmax_turn = 0\n",
          "dir/case.toml:6:12: normals.max_turn: expected a number from 5 to 90 (degrees), found 0"},
-        {"Format", "[output]\nformats = [\"vtu\", \"cgns\"]\n",
-         "dir/case.toml:6:11: output.formats: \"cgns\" is not in this version; expected a list of \"vtu\""},
+        {"Format", "[output]\nformats = [\"vtu\", \"cgs\"]\n",
+         "dir/case.toml:6:11: output.formats: expected a list of \"vtu\", \"vtkhdf\", \"cgns\", \"su2\", \"ugrid\", "
+         "\"b8.ugrid\", \"lb8.ugrid\", \"msh\", \"msh2\", \"openfoam\", \"openfoam-ascii\", found \"cgs\"; nearest: "
+         "\"cgns\""},
         {"NoFormat", "[output]\nformats = []\n",
-         "dir/case.toml:6:11: output.formats: expected a list of \"vtu\", found []"},
+         "dir/case.toml:6:11: output.formats: expected a list of \"vtu\", \"vtkhdf\", \"cgns\", \"su2\", \"ugrid\", "
+         "\"b8.ugrid\", \"lb8.ugrid\", \"msh\", \"msh2\", \"openfoam\", \"openfoam-ascii\", found []"},
         {"Boolean", "[output]\nreport = 1\n", "dir/case.toml:6:10: output.report: expected true or false, found 1"},
         {"Date", "[output]\ndirectory = 2024-01-01\n",
          "dir/case.toml:6:13: output.directory: expected a text in quotes, found 2024-01-01"},

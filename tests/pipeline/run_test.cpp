@@ -59,9 +59,9 @@ TEST(Run, MeshesACubeFromEndToEnd) {
   for (const char* file : {"cube.vtu", "cube-surface.vtp", "cube-front.vtp", "report.json", "report.html"}) {
     EXPECT_TRUE(fs::exists(cube.folder / "out" / file)) << file;
   }
-  EXPECT_EQ(report.files.size(), 5u);
+  EXPECT_EQ(report.files.size(), 6u);
   const Json json = Json::parse(cube.folder.read("out/report.json"));
-  EXPECT_EQ(json["files"].size(), 5u);
+  EXPECT_EQ(json["files"].size(), 6u);
   EXPECT_EQ(json["certified"], true);
 }
 
@@ -79,7 +79,7 @@ TEST(Run, WritesTheSameBytesAtAnyNumberOfThreadsAndIntoAnyFolder) {
   run(read_case(cube.file), {cube.folder / "a", false, false});
   const ThreadLimit one(1);
   run(read_case(cube.file), {cube.folder / "b", false, false});
-  for (const std::string file : {"cube.vtu", "cube-surface.vtp", "cube-front.vtp"}) {
+  for (const std::string file : {"cube.vtu", "cube-surface.vtp", "cube-front.vtp", "cube-boundary.vtp"}) {
     EXPECT_EQ(cube.folder.read("a/" + file), cube.folder.read("b/" + file)) << file;
   }
   EXPECT_EQ(without_what_may_differ(cube.folder.read("a/report.json")),
@@ -176,11 +176,11 @@ TEST(Run, LeavesTheEarlierResultsWhenInterrupted) {
   const CubeCase cube;
   run(read_case(cube.file));
   const std::string before = cube.folder.read("out/cube.vtu");
-  StopAt stop("writing");
+  StopAt stop("writing vtu");
   const std::vector<std::string> other = {"layers.count=4"};
   EXPECT_THROW(run(read_case(cube.file, other), &stop), Interrupted);
   EXPECT_EQ(cube.folder.read("out/cube.vtu"), before);
-  EXPECT_EQ(std::distance(fs::directory_iterator(cube.folder / "out"), {}), 5);
+  EXPECT_EQ(std::distance(fs::directory_iterator(cube.folder / "out"), {}), 6);
 }
 
 TEST(IsUpToDate, KnowsTheSameCaseInputAndFiles) {

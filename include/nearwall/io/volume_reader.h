@@ -49,7 +49,8 @@ bool is_volume_name(const std::filesystem::path& path);
 bool has_named_faces(const std::filesystem::path& path);
 
 /// The faces of a file with named patches as a surface: points that no face uses are dropped, quads are divided,
-/// patches without faces left out. \throws GeometryError  if there is no face
+/// patches without faces left out. Where the file has cells, the faces are those of one cell alone, and their normals
+/// point out of it, as those of a surface round the fluid do. \throws GeometryError  if there is no face
 mesh::SurfaceMesh surface_of(const VolumeFile& volume, const std::string& file);
 
 }  // namespace nearwall::io
