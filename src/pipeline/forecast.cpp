@@ -11,10 +11,28 @@ namespace {
 // Bytes, as measured on bodies of 20 thousand to 75 thousand triangles: docs/report.md.
 constexpr double kBytesForTriangle = 2600;  ///< surface, topology, trees, lines while they are made
 constexpr double kBytesForProgram = 60e6;   ///< libraries, buffers
-constexpr double kDiskForCell = 16;         ///< compressed connectivity and arrays
-constexpr double kDiskForPoint = 24;        ///< three doubles, which hardly compress
-constexpr double kDiskForTriangle = 50;     ///< surface and front files
+constexpr double kDiskForTriangle = 100;    ///< surface, front and boundary files
 constexpr double kDiskForReport = 2e6;      ///< pictures and pages
+
+/// Bytes of a mesh file: for a wedge, or any cell, and for a point. nearwall_benchmarks --benchmark_filter=WriteMesh
+struct MeshBytes {
+  double cell, point;
+};
+
+/// In the order of io::MeshFormat.
+constexpr MeshBytes kDisk[] = {
+    {16, 24},   // vtu, packed
+    {10, 24},   // vtkhdf, packed
+    {26, 24},   // cgns
+    {52, 56},   // su2
+    {50, 56},   // ugrid
+    {26, 24},   // b8.ugrid
+    {26, 24},   // lb8.ugrid
+    {60, 32},   // msh
+    {66, 64},   // msh2
+    {72, 24},   // openfoam
+    {120, 60},  // openfoam-ascii
+};
 
 constexpr double kTetrahedraForTriangle = 2.5;
 constexpr int kTetrahedraForPoint = 6;
@@ -72,10 +90,8 @@ Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings
   f.n_points += n_fan_faces * (f.largest_count + std::uint64_t{1});
 
   const auto triangles = static_cast<double>(wall.faces.size());
-  const auto cells = static_cast<double>(f.n_cells), points = static_cast<double>(f.n_points);
   f.memory_bytes = static_cast<std::uint64_t>(kBytesForProgram + kBytesForTriangle * triangles);
-  f.disk_bytes = static_cast<std::uint64_t>(kDiskForReport + kDiskForCell * cells + kDiskForPoint * points +
-                                            kDiskForTriangle * triangles);
+  f.disk_bytes = static_cast<std::uint64_t>(kDiskForReport + kDiskForTriangle * triangles);
   return f;
 }
 
@@ -84,7 +100,14 @@ void add_fill(std::size_t n_triangles, double growth, Forecast& f) {
   const auto tetrahedra = static_cast<double>(f.n_tetrahedra);
   f.n_points += f.n_tetrahedra / kTetrahedraForPoint;
   f.memory_bytes = std::max(f.memory_bytes, static_cast<std::uint64_t>(kBytesForTetrahedron * tetrahedra));
-  f.disk_bytes += static_cast<std::uint64_t>((kDiskForCell + kDiskForPoint / kTetrahedraForPoint) * tetrahedra);
+}
+
+void add_mesh_files(std::span<const io::MeshFormat> formats, Forecast& f) {
+  const auto cells = static_cast<double>(f.n_cells + f.n_tetrahedra), points = static_cast<double>(f.n_points);
+  for (const io::MeshFormat format : formats) {
+    const MeshBytes bytes = kDisk[static_cast<std::size_t>(format)];
+    f.disk_bytes += static_cast<std::uint64_t>(bytes.cell * cells + bytes.point * points);
+  }
 }
 
 std::string describe(const Forecast& f) {

@@ -206,6 +206,7 @@ Forecast forecast_of(const Case& settings, const Prepared& prepared, const std::
   if (prepared.settings.volume.fill != Fill::None) {
     add_fill(wall.surface.faces.size(), prepared.settings.volume.growth, result);
   }
+  add_mesh_files(settings.output.formats, result);
   return result;
 }
 

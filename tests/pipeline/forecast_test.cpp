@@ -22,8 +22,22 @@ TEST(Forecast, CountsThePrismsAndTheirPoints) {
   EXPECT_EQ(f.n_cells, 20 * cube.faces.size());
   EXPECT_EQ(f.n_points, 21 * cube.points.size());
   EXPECT_EQ(f.largest_count, 20);
-  EXPECT_GT(f.disk_bytes, 24 * f.n_points);
   EXPECT_THAT(describe(f), testing::HasSubstr("20 layers"));
+}
+
+TEST(Forecast, AddsTheFilesOfAllFormats) {
+  const mesh::SurfaceMesh cube = shapes_for_tests::cube();
+  const IdVector<FaceId, char> all(cube.faces.size(), 1);
+  const Forecast bare = forecast(cube, one_patch(PatchType::Wall, 20), all);
+  for (std::size_t i = 0; i < io::kMeshFormatNames.size(); ++i) {
+    const auto format = static_cast<io::MeshFormat>(i);
+    Forecast one = bare, twice = bare;
+    add_mesh_files(std::vector{format}, one);
+    add_mesh_files(std::vector{format, format}, twice);
+    EXPECT_GE(one.disk_bytes, bare.disk_bytes + 24 * bare.n_points + 10 * bare.n_cells) << io::name_of(format);
+    EXPECT_NEAR(static_cast<double>(twice.disk_bytes - one.disk_bytes),
+                static_cast<double>(one.disk_bytes - bare.disk_bytes), 1);
+  }
 }
 
 TEST(Forecast, LeavesOutWhatGetsNoLayers) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Forecast {
   std::uint64_t n_cells = 0;       ///< of the layers
   std::uint64_t n_tetrahedra = 0;  ///< that fill the rest, a guess; 0 where no fill is asked for
   std::uint64_t memory_bytes = 0;  ///< peak while the mesh file is written
-  std::uint64_t disk_bytes = 0;    ///< all files
+  std::uint64_t disk_bytes = 0;    ///< all files; meshes from add_mesh_files on
   geometry::Box box;               ///< of the wall, in the case's unit
   Level largest_count = 0;         ///< layers of the patch that has most
 };
@@ -33,6 +34,9 @@ Forecast forecast(const mesh::SurfaceMesh& wall, const std::vector<PatchSettings
 /// Adds what fills the rest: 1 to 3 tetrahedra over (growth − 1) for each triangle were seen, as docs/theory/fill.md
 /// has it; 2.5 are counted.
 void add_fill(std::size_t n_triangles, double growth, Forecast& forecast);
+
+/// Adds the disk that meshes in these formats take. \pre  cells and points are complete
+void add_mesh_files(std::span<const io::MeshFormat> formats, Forecast& forecast);
 
 /// A sentence or two: cells, points, memory, disk, bounding box.
 std::string describe(const Forecast& forecast);
