@@ -289,7 +289,8 @@ INSTANTIATE_TEST_SUITE_P(
          "dir/case.toml:6:12: normals.max_turn: expected a number from 5 to 90 (degrees), found 0"},
         {"Format", "[output]\nformats = [\"vtu\", \"cgs\"]\n",
          "dir/case.toml:6:11: output.formats: expected a list of \"vtu\", \"vtkhdf\", \"cgns\", \"su2\", \"ugrid\", "
-         "\"b8.ugrid\", \"lb8.ugrid\", \"msh\", \"msh2\", \"openfoam\", \"openfoam-ascii\", found \"cgs\"; nearest: "
+         "\"b8.ugrid\", \"lb8.ugrid\", \"msh\", \"msh2\", \"openfoam\", \"openfoam-ascii\", found [\"vtu\", \"cgs\"]; "
+         "nearest: "
          "\"cgns\""},
         {"NoFormat", "[output]\nformats = []\n",
          "dir/case.toml:6:11: output.formats: expected a list of \"vtu\", \"vtkhdf\", \"cgns\", \"su2\", \"ugrid\", "
