@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "nearwall/core/errors.h"
+#include "nearwall/io/boundary_file.h"
 #include "nearwall/io/mesh_formats.h"
 #include "nearwall/io/surface_reader.h"
 #include "nearwall/io/surface_writer.h"
+#include "nearwall/io/volume_reader.h"
 #include "nearwall/surface/weld.h"
 #include "program/cli.h"
 #include "program/convert_mesh.h"
@@ -24,6 +26,9 @@ struct ConvertArguments {
   std::optional<std::string> boundary;
   bool is_ascii = false;
 };
+
+/// Where the names of formats that are files end: those of OpenFOAM come last.
+constexpr auto kEndOfFiles = io::kMeshFormatNames.begin() + static_cast<std::size_t>(io::MeshFormat::OpenFoam);
 
 std::string patches_text(std::size_t n) { return fmt::format("{} patch{}", n, n == 1 ? "" : "es"); }
 
@@ -80,9 +85,26 @@ ExitCode convert_mesh(const ConvertArguments& arguments, io::MeshFormat format, 
   return ExitCode::Done;
 }
 
+/// Surfaces do not become meshes, nor files of cells alone surfaces. \throws InputError  that says what does
+void require_alike(const ConvertArguments& arguments, bool is_to_mesh) {
+  const bool is_surface = io::is_surface_name(arguments.input), is_mesh = io::is_volume_name(arguments.input);
+  if (is_to_mesh && is_surface && !is_mesh) {
+    throw InputError(fmt::format("{}: is a surface, and {} would be a mesh; `nearwall run` makes one of the other",
+                                 arguments.input, arguments.output));
+  }
+  if (!is_to_mesh && is_mesh && !is_surface) {
+    throw InputError(
+        fmt::format("{}: holds cells alone, which are written as: {}, or a folder polyMesh; its boundary, "
+                    "for {}, would be {}",
+                    arguments.input, fmt::join(io::kMeshFormatNames.begin(), kEndOfFiles, " "), arguments.output,
+                    io::boundary_file_of(arguments.input).string()));
+  }
+}
+
 ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
-  if (const auto format = io::mesh_format_of(arguments.output)) return convert_mesh(arguments, *format, console);
-  return convert_surface(arguments, console);
+  const auto format = io::mesh_format_of(arguments.output);
+  require_alike(arguments, format.has_value());
+  return format ? convert_mesh(arguments, *format, console) : convert_surface(arguments, console);
 }
 
 }  // namespace
