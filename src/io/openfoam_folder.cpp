@@ -30,6 +30,14 @@ std::optional<fs::path> openfoam_folder(const fs::path& path) {
   return std::nullopt;
 }
 
+std::vector<fs::path> openfoam_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const char* name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones"}) {
+    if (const auto file = file_in(folder, name)) files.push_back(*file);
+  }
+  return files;
+}
+
 VolumeFile read_openfoam(const fs::path& path) {
   const auto folder = openfoam_folder(path);
   if (!folder) {

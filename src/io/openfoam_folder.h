@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nearwall/io/volume_reader.h"
 
@@ -13,6 +14,9 @@ namespace nearwall::io {
 /// The polyMesh that a path stands for: a folder of that name, or a case's folder with constant/polyMesh in it, or a
 /// file NAME.foam in a case's folder. Nothing for other paths.
 std::optional<std::filesystem::path> openfoam_folder(const std::filesystem::path& path);
+
+/// The files of such a folder that make the mesh, those that there are.
+std::vector<std::filesystem::path> openfoam_files(const std::filesystem::path& folder);
 
 /// A file of a polyMesh, unpacked.
 struct FoamFile {

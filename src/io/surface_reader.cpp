@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "io/file_bytes.h"
+#include "io/openfoam_folder.h"
 #include "io/point_arrays.h"
 #include "io/surface_endings.h"
 #include "io/surface_formats.h"
 #include "nearwall/core/errors.h"
 #include "nearwall/core/nearest.h"
+#include "nearwall/io/mesh_formats.h"
 #include "nearwall/io/volume_reader.h"
 
 namespace nearwall::io {
@@ -104,6 +106,18 @@ std::size_t surface_format(const std::filesystem::path& path) {
 
 bool is_surface_name(const std::filesystem::path& path) {
   return std::ranges::find(kSurfaceEndings, format_ending(path)) != kSurfaceEndings.end() || has_named_faces(path);
+}
+
+std::vector<std::filesystem::path> surface_files(const std::filesystem::path& path) {
+  if (const auto folder = openfoam_folder(path)) return openfoam_files(*folder);
+  const std::filesystem::path unpacked = is_gzip_name(path) ? path.parent_path() / path.stem() : path;
+  std::vector<std::filesystem::path> files = {path};
+  if (const auto format = mesh_format_of(unpacked)) {
+    for (const auto& beside : files_beside(unpacked, *format)) {
+      if (std::filesystem::exists(beside)) files.push_back(beside);
+    }
+  }
+  return files;
 }
 
 std::string surface_stem(const std::filesystem::path& path) {

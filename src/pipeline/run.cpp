@@ -12,6 +12,7 @@
 #include "nearwall/geometry/measures.h"
 #include "nearwall/io/pending_file.h"
 #include "nearwall/io/polydata_writer.h"
+#include "nearwall/io/surface_reader.h"
 #include "nearwall/layers/grow.h"
 #include "nearwall/pipeline/faults_file.h"
 #include "pipeline/domain.h"
@@ -314,7 +315,7 @@ Report run(const Case& settings, const RunOptions& options, ProgressSink* progre
   std::optional<OutputDirectory> output;
   if (!options.dry_run) output.emplace(report.output_directory, report.name, options.force);
   const Prepared prepared = prepare_or_reject(settings, output ? &*output : nullptr, clock);
-  report.input_sha256 = sha256_of_file(settings.surface_path());
+  report.input_sha256 = sha256_of_files(io::surface_files(settings.surface_path()));
   report.surface = describe_surface(prepared);
   for (const std::string& repair : prepared.admission.repairs) clock.note(repair);
   for (const std::string& note : prepared.notes) clock.note(note);

@@ -82,18 +82,20 @@ std::string Sha256::digest() {
   return text;
 }
 
-std::string sha256_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw IoError(fmt::format("{}: cannot be read", file.string()));
+std::string sha256_of_files(std::span<const std::filesystem::path> files) {
   constexpr std::size_t kPiece = 1 << 20;
   std::vector<char> piece(kPiece);
   Sha256 sum;
-  while (in) {
-    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    const auto n = static_cast<std::size_t>(in.gcount());
-    sum.add({reinterpret_cast<const unsigned char*>(piece.data()), n});
+  for (const std::filesystem::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw IoError(fmt::format("{}: cannot be read", file.string()));
+    while (in) {
+      in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      const auto n = static_cast<std::size_t>(in.gcount());
+      sum.add({reinterpret_cast<const unsigned char*>(piece.data()), n});
+    }
+    if (in.bad()) throw IoError(fmt::format("{}: cannot be read to its end", file.string()));
   }
-  if (in.bad()) throw IoError(fmt::format("{}: cannot be read to its end", file.string()));
   return sum.digest();
 }
 

@@ -25,7 +25,7 @@ class Sha256 {
   std::uint64_t n_bytes_ = 0;
 };
 
-/// Of a file's bytes. \throws IoError if it cannot be read
-std::string sha256_of_file(const std::filesystem::path& file);
+/// Of the bytes of files, one after the other. \throws IoError if one cannot be read
+std::string sha256_of_files(std::span<const std::filesystem::path> files);
 
 }  // namespace nearwall::pipeline

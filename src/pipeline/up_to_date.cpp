@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include "nearwall/io/surface_reader.h"
 #include "nearwall/pipeline/run.h"
 #include "pipeline/report_json.h"
 #include "pipeline/sha256.h"
@@ -17,7 +18,7 @@ bool tells_of(const pipeline::Json& report, const Case& settings, const std::fil
     if (!std::filesystem::exists(directory / file)) return false;
   }
   const pipeline::Json input = report.value("input", pipeline::Json::object());
-  return input.value("sha256", "") == pipeline::sha256_of_file(settings.surface_path());
+  return input.value("sha256", "") == pipeline::sha256_of_files(io::surface_files(settings.surface_path()));
 }
 
 }  // namespace

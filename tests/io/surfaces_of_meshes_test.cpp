@@ -224,6 +224,24 @@ TEST(SurfaceAlone, IsKnownByItsName) {
   for (const char* name : {"a.vtu", "a.vtkhdf", "su2", "a.ugrid/b"}) EXPECT_FALSE(is_surface_name(name)) << name;
 }
 
+TEST(SurfaceFiles, AreAllThatMakeTheSurface) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(surface_files(folder / "a.stl"), ElementsAre(folder / "a.stl"));
+  EXPECT_THAT(surface_files(folder / "a.ugrid"), ElementsAre(folder / "a.ugrid"));
+  folder.file("a.mapbc", "");
+  for (const char* name : {"a.ugrid", "a.lb8.ugrid", "a.ugrid.gz"}) {
+    EXPECT_THAT(surface_files(folder / name), ElementsAre(folder / name, folder / "a.mapbc"));
+  }
+  EXPECT_THAT(surface_files(folder / "a.su2"), ElementsAre(folder / "a.su2"));
+  const auto mesh = folder / "constant/polyMesh";
+  std::filesystem::create_directories(mesh);
+  for (const char* name : {"points", "owner.gz", "boundary", "notes"})
+    folder.file("constant/polyMesh/" + std::string(name), "");
+  for (const auto& path : {folder.path(), mesh, folder / "a.foam"}) {
+    EXPECT_THAT(surface_files(path), ElementsAre(mesh / "points", mesh / "owner.gz", mesh / "boundary"));
+  }
+}
+
 // VTK's legacy grids.
 
 /// A tetrahedron under a triangle and a quad, and a line. \param data  of its four cells

@@ -1,10 +1,12 @@
 #include "pipeline/sha256.h"
 
-#include <fstream>
+#include <filesystem>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "nearwall/core/errors.h"
+#include "tests/pipeline/scratch_folder.h"
 
 namespace nearwall::pipeline {
 namespace {
@@ -32,7 +34,17 @@ TEST(Sha256, DoesNotFeelHowTheBytesAreCut) {
   for (const std::size_t piece : {1, 7, 63, 64, 65, 128, 999}) EXPECT_EQ(digest_of(text, piece), digest_of(text, 1000));
 }
 
-TEST(Sha256, OfAMissingFileIsAnError) { EXPECT_THROW(sha256_of_file("/nowhere/file"), IoError); }
+TEST(Sha256, OfSeveralFilesIsThatOfTheirBytesOneAfterTheOther) {
+  const ScratchFolder folder;
+  const std::vector<std::filesystem::path> files = {folder.write("a", "ab"), folder.write("b", ""),
+                                                    folder.write("c", "c")};
+  EXPECT_EQ(sha256_of_files(files), digest_of("abc", 3));
+}
+
+TEST(Sha256, OfAMissingFileIsAnError) {
+  const std::vector<std::filesystem::path> files = {"/nowhere/file"};
+  EXPECT_THROW(sha256_of_files(files), IoError);
+}
 
 }  // namespace
 }  // namespace nearwall::pipeline

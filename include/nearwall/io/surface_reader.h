@@ -44,6 +44,9 @@ std::vector<std::string> point_array_names(const std::filesystem::path& path);
 /// Whether the name ends as those of surfaces that `read_surface` reads.
 bool is_surface_name(const std::filesystem::path& path);
 
+/// All files of this surface: the one of that name, NAME.mapbc beside it where there is one, or those of a polyMesh.
+std::vector<std::filesystem::path> surface_files(const std::filesystem::path& path);
+
 /// Name of the file without its ending, and without .gz before that.
 std::string surface_stem(const std::filesystem::path& path);
 
