@@ -281,7 +281,7 @@ class CgnsWriter {
     int family = 0, condition = 0;
     check(cg_family_write(file(), base_, name.c_str(), &family));
     check(cg_fambc_write(file(), base_, family, "FamBC", condition_of(patch.type), &condition));
-    if (name == patch.name) return;
+    if (name == patch.name || patch.name.empty()) return;  // the library writes no empty text
     check(cg_goto(file(), base_, "Family_t", family, "end"));
     check(cg_descriptor_write(kFullNameText, patch.name.c_str()));
   }
