@@ -69,6 +69,7 @@ TEST_P(Cases, ComeOutAsExpected) {
   fs::create_directories(folder);
   fs::copy(source / "case.toml", folder);
   fs::copy(source / "geometry.sh", folder);
+  if (fs::exists(source / "geometry.py")) fs::copy(source / "geometry.py", folder);
   if (run(fmt::format("cd '{}' && sh geometry.sh", folder.string())) != 0) {
     fs::remove_all(folder);
     GTEST_SKIP() << "the surface of this case comes from a package that is not installed";
