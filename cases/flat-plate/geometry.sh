@@ -1,4 +1,4 @@
 #!/bin/sh
 # Makes the surface of this case beside case.toml.
 set -eu
-python3 geometry.py
+/usr/bin/python3 geometry.py

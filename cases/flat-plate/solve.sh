@@ -3,4 +3,4 @@
 set -eu
 cd "$(dirname "$0")"
 sh ../openfoam/solve.sh 1000
-python3 evaluate.py "$@"
+/usr/bin/python3 evaluate.py "$@"

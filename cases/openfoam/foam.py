@@ -39,10 +39,33 @@ class Flow:
         return _numbers(self._text(field), 0)
 
     def wall(self, field, *patches):
+        """Values on the faces of patches; the field must have a list of them there."""
         text = self._text(field)
         boundary = text.index("boundaryField")
-        starts = [re.compile(rf"\n\s*{re.escape(patch)}\s*\{{").search(text, boundary).end() for patch in patches]
-        return np.concatenate([_numbers(text, start) for start in starts])
+        found = []
+        for patch in patches:
+            entry = re.compile(rf"\n\s*{re.escape(patch)}\s*\{{([^}}]*)\}}").search(text, boundary)
+            if entry is None or "List<" not in entry[1]:
+                sys.exit(f"{self.folder}: {field} has no list of values on {patch}")
+            found.append(_numbers(entry[1], 0))
+        return np.concatenate(found)
+
+    def first_cells(self, field, *patches):
+        """Values in the cells that touch patches, in the order of their faces."""
+        mesh = os.path.join(self.folder, "constant/polyMesh")
+        with open(os.path.join(mesh, "owner"), "rb") as file:
+            owner = file.read()
+        head = re.search(rb"\n(\d+)\s*\(", owner[owner.index(b"}") :])
+        first = owner.index(b"}") + head.end()
+        cell = np.frombuffer(owner, "<i4", int(head[1]), first)
+        with open(os.path.join(mesh, "boundary"), encoding="ascii") as file:
+            boundary = file.read()
+        faces = []
+        for patch in patches:
+            entry = re.search(rf"\n\s*{re.escape(patch)}\s*\{{([^}}]*)\}}", boundary)[1]
+            n, start = (int(re.search(rf"{key}\s+(\d+);", entry)[1]) for key in ("nFaces", "startFace"))
+            faces.append(np.arange(start, start + n))
+        return self.inside(field)[cell[np.concatenate(faces)]]
 
     def residuals(self):
         """Initial residuals of each equation, by its name, iteration by iteration."""

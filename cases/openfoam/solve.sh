@@ -21,7 +21,7 @@ fi
 rm -rf "$flow"
 cp -r "out/$name-openfoam" "$flow"
 cp -r $shared/constant $shared/system openfoam/. "$flow"
-python3 $shared/flow.py case.toml out/report.json "$iterations" $angle > "$flow/flow"
+/usr/bin/python3 $shared/flow.py case.toml out/report.json "$iterations" $angle > "$flow/flow"
 [ ! -e openfoam/adapt.sh ] || (cd "$flow" && sh adapt.sh)
 echo "$name: checkMesh, then $iterations iterations of simpleFoam in $flow" >&2
 checkMesh -case "$flow" -allGeometry -allTopology > "$flow/log.checkMesh" || true
