@@ -13,11 +13,6 @@
 #include "nearwall/io/vtkhdf_writer.h"
 
 namespace nearwall::io {
-namespace {
-
-bool is_openfoam(MeshFormat format) { return format == MeshFormat::OpenFoam || format == MeshFormat::OpenFoamAscii; }
-
-}  // namespace
 
 std::optional<MeshFormat> mesh_format(std::string_view name) {
   const auto found = std::find(kMeshFormatNames.begin(), kMeshFormatNames.end(), name);

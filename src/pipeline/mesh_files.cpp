@@ -1,12 +1,12 @@
 #include "pipeline/mesh_files.h"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "nearwall/core/expect.h"
 #include "nearwall/io/boundary_file.h"
 #include "nearwall/io/pending_file.h"
 #include "nearwall/quality/metrics.h"
@@ -31,23 +31,28 @@ io::CellArray scaled_jacobians() {
           }};
 }
 
-/// Neighbours that are looked for when a format first asks for them: most do not.
+/// Neighbours that are found for the first format that lists faces: most do not.
 class NeighboursOnDemand final : public mesh::NeighbourSource {
  public:
   NeighboursOnDemand(const mesh::LayerMesh& layers, const mesh::Boundary& boundary, const volume::FilledRest* filled)
       : layers_(layers), boundary_(boundary), filled_(filled) {}
 
+  /// Call before such a format is written. Not left to the first `read_neighbours`: both run on several threads, and a
+  /// thread that waits for parts of this might begin another batch, which would wait for this.
+  void find() {
+    if (!found_) found_.emplace(layers_, boundary_, filled_);
+  }
+
   void read_neighbours(std::size_t batch, const mesh::CellBatch& cells, mesh::NeighbourBatch& out) const override {
-    std::call_once(once_, [&] { made_.emplace(layers_, boundary_, filled_); });
-    made_->read_neighbours(batch, cells, out);
+    expect(found_.has_value(), "neighbours to be found before they are read");
+    found_->read_neighbours(batch, cells, out);
   }
 
  private:
   const mesh::LayerMesh& layers_;
   const mesh::Boundary& boundary_;
   const volume::FilledRest* filled_;
-  mutable std::once_flag once_;
-  mutable std::optional<volume::HybridNeighbours> made_;
+  std::optional<volume::HybridNeighbours> found_;
 };
 
 /// With the triangle of the input file that each face is, −1 for others.
@@ -93,7 +98,7 @@ volume::DomainBoundary boundary_of_layers(const Result& result, const certify::C
 void write_mesh_files(const Result& result, const MeshToWrite& mesh, const std::string& name,
                       std::span<const io::MeshFormat> formats, OutputDirectory& output, ProgressSink& progress) {
   const mesh::Boundary boundary = volume::mesh_boundary(mesh.boundary, mesh.patches);
-  const NeighboursOnDemand neighbours(result.layers, boundary, mesh.filled);
+  NeighboursOnDemand neighbours(result.layers, boundary, mesh.filled);
   const io::WholeMesh whole{mesh.cells, boundary, neighbours, name};
   const io::CellArray arrays[] = {scaled_jacobians()};
   const io::MeshExtras extras{arrays, result.wall.surface.patch_names.raw()};
@@ -104,6 +109,7 @@ void write_mesh_files(const Result& result, const MeshToWrite& mesh, const std::
         const auto path = output.aside(file);
         if (file.ends_with(".foam")) io::write_text(path, "");
       }
+      if (io::is_openfoam(format)) neighbours.find();
       io::write_mesh(output.scratch(files.front()), format, whole, extras, &progress);
     });
   }

@@ -32,6 +32,11 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path);
 /// Whether the format holds the boundary. VTU and VTKHDF do not: theirs stands in NAME-boundary.vtp beside.
 constexpr bool has_boundary(MeshFormat format) { return format != MeshFormat::Vtu && format != MeshFormat::Vtkhdf; }
 
+/// OpenFOAM's are folders, and list faces with the cells on either side: they alone read WholeMesh::neighbours.
+constexpr bool is_openfoam(MeshFormat format) {
+  return format == MeshFormat::OpenFoam || format == MeshFormat::OpenFoamAscii;
+}
+
 /// Files of a mesh NAME, the mesh itself first. UGRID has NAME.mapbc besides; OpenFOAM's is the folder
 /// NAME-openfoam/constant/polyMesh, with the empty NAME-openfoam/NAME.foam by which ParaView opens it.
 std::vector<std::string> mesh_file_names(const std::string& name, MeshFormat format);
