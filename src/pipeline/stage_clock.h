@@ -32,18 +32,4 @@ class StageClock final : public ProgressSink {
   std::vector<std::string> warnings_;
 };
 
-/// Runs one stage: `begin_stage`, the body, `end_stage`.
-template <class Body>
-auto staged(ProgressSink& progress, std::string_view name, Body&& body) {
-  progress.begin_stage(name);
-  if constexpr (std::is_void_v<decltype(body())>) {
-    body();
-    progress.end_stage();
-  } else {
-    auto result = body();
-    progress.end_stage();
-    return result;
-  }
-}
-
 }  // namespace nearwall::pipeline

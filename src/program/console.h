@@ -61,18 +61,4 @@ class Console final : public ProgressSink {
   Clock::time_point last_drawn_;
 };
 
-/// Runs `work` as a stage of its own, for commands that have no library call which reports progress.
-template <class Work>
-auto staged(ProgressSink& progress, std::string_view name, Work&& work) {
-  progress.begin_stage(name);
-  if constexpr (std::is_void_v<decltype(work())>) {
-    work();
-    progress.end_stage();
-  } else {
-    auto result = work();
-    progress.end_stage();
-    return result;
-  }
-}
-
 }  // namespace nearwall::program

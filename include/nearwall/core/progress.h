@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 
 namespace nearwall {
 
@@ -21,5 +22,19 @@ class ProgressSink {
 
 /// The sink that drops everything; stands in where a caller gives none.
 ProgressSink& silent_progress();
+
+/// Runs one stage: `begin_stage`, the body, `end_stage`. \returns what the body returns
+template <class Body>
+auto staged(ProgressSink& progress, std::string_view name, const Body& body) {
+  progress.begin_stage(name);
+  if constexpr (std::is_void_v<decltype(body())>) {
+    body();
+    progress.end_stage();
+  } else {
+    auto result = body();
+    progress.end_stage();
+    return result;
+  }
+}
 
 }  // namespace nearwall
