@@ -108,7 +108,9 @@ void add_certify_command(CommandLine& line) {
                            "nearwall certify out/onera-m6.vtu --wall onera_m6.stl\n"
                            "nearwall certify other.vtk -o cells.vtu -o faces.vtp --json",
                            [arguments](CommandContext& context) { return run_certify(*arguments, context.console); });
-  app.add_option("MESH", arguments->file, "vtu vtk vtkhdf cgns su2 ugrid msh bdf or a folder polyMesh; ours or another program's")->required();
+  app.add_option("MESH", arguments->file,
+                 "vtu vtk vtkhdf cgns su2 ugrid msh bdf or a folder polyMesh; ours or another program's")
+      ->required();
   app.add_option("--wall", arguments->wall, "the layers that the mesh has on this surface, for each of its patches")
       ->type_name("SURFACE");
   app.add_option("-o,--output", arguments->outputs,

@@ -5,7 +5,8 @@
 namespace nearwall::program {
 
 void SurfaceArguments::add_argument(CLI::App& app) {
-  app.add_option("SURFACE", file, "stl obj ply off vtp vtk, also gzipped; msh su2 cgns ugrid bdf: faces with patches")->required();
+  app.add_option("SURFACE", file, "stl obj ply off vtp vtk, also gzipped; msh su2 cgns ugrid bdf: faces with patches")
+      ->required();
 }
 
 void SurfaceArguments::add_options(CLI::App& app) {
