@@ -15,7 +15,7 @@ class NodeTags {
   std::size_t size() const { return tags_.size(); }
 
   /// Call when all are added, before `find`. \returns  a number that two points have, if there is one
-  /// Memory: 4 to 16 bytes a point, nothing for numbers that follow each other
+  /// Memory: 8 bytes a point; for numbers that do not follow each other 4 to 16 more
   std::optional<std::int64_t> prepare();
 
   /// The point with that number, from 0; −1: none.

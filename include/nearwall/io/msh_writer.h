@@ -14,7 +14,7 @@ enum class MshVersion {
 
 /// Writes a mesh in Gmsh's format: a physical surface for each patch, physical volumes `layers` and `rest`.
 /// The same bytes for the same mesh at any number of threads. Memory: some batches, not the mesh.
-/// \throws InputError  more points, cells or nodes than the format's 32-bit numbers hold, before anything is written
+/// \throws InputError  V22: more points, or cells and faces, than its 32-bit numbers hold, before anything is written
 ///         IoError     disk full, no permission
 void write_msh(const std::filesystem::path& path, const WholeMesh& mesh, MshVersion version,
                ProgressSink* progress = nullptr);

@@ -10,8 +10,7 @@ namespace nearwall::io {
 /// Writes a mesh in SU2's native format (text): points, cells in the source's order, a marker for each patch. Doubles
 /// as short as reads back to the same bits. The format knows no groups of cells.
 /// The same bytes for the same mesh at any number of threads. Memory: some batches, not the mesh.
-/// \throws InputError  more points, cells or nodes than the format's 32-bit numbers hold, before anything is written
-///         IoError     disk full, no permission
+/// \throws IoError  disk full, no permission
 void write_su2(const std::filesystem::path& path, const WholeMesh& mesh, ProgressSink* progress = nullptr);
 
 }  // namespace nearwall::io

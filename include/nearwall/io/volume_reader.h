@@ -29,17 +29,18 @@ struct VolumeFile {
   mesh::Boundary boundary;
 };
 
-/// Reads the tetrahedra, pyramids, wedges and hexahedra of a VTK file of an unstructured grid, with all its points,
-/// cells in the file's order, nodes in the order of predicates/cells.h. Voxels become hexahedra. Pieces follow each
-/// other; points are not merged.
+/// Reads the tetrahedra, pyramids, wedges and hexahedra of a file, with all its points, cells in the file's order,
+/// nodes in the order of predicates/cells.h, and the faces that it has in patches. Voxels become hexahedra. Pieces and
+/// zones follow each other; points are not merged. A surface in a solver's format is a mesh without cells.
 ///
-/// \param path  ends in vtu or vtk, upper or lower case, also with .gz behind it
+/// \param path  ends in vtu vtk vtkhdf cgns su2 ugrid msh msh2 bdf nas, upper or lower case, text and VTK also with .gz
+///              behind it; or OpenFOAM's: a folder polyMesh, that of a case, a file NAME.foam
 /// \throws InputError     no such file, a folder, an ending that is not known, or cells that are none of these: of
 ///                        higher order, polyhedra
 ///         IoError        no permission, read failure, no memory
 ///         GeometryError  the content is malformed: file, then line, byte, point or cell (counted from 0), what was
 ///                        expected
-/// Memory: the file and the mesh; for .vtk once more the nodes, in 64 bits. Formats: docs/formats.md.
+/// Memory: the file (but not of HDF5) and the mesh; for .vtk once more the nodes, in 64 bits. Formats: docs/formats.md.
 VolumeFile read_volume_mesh(const std::filesystem::path& path);
 
 /// Whether the name ends as those of meshes that `read_volume_mesh` reads.

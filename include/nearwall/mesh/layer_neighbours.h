@@ -23,7 +23,7 @@ class LayerNeighbours {
   /// \param layers  must outlive this, with less than 2^32 − 1 nodes
   explicit LayerNeighbours(const LayerMesh& layers);
 
-  /// \param cells   consecutive cells of columns, as a LayerSource gives them; those of caps are not among them
+  /// \param cells   of whole columns one after the other, as a LayerSource gives them; no caps among them
   /// \param beyond  for faces at the wall, on planes and on the front
   void read(const CellBatch& cells, const Beyond& beyond, NeighbourBatch& out) const;
 

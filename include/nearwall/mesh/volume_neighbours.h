@@ -14,13 +14,15 @@ namespace nearwall::mesh {
 /// behind it where the mesh has one of that name.
 inline constexpr const char* kUnnamedPatch = "boundary";
 
-/// Gives a boundary as a file has it the orientation and the completeness that writers expect: faces are turned so that
-/// they are counterclockwise seen from outside, those that no cell has, or two cells, are dropped, those that lack are
-/// added. \returns how many faces were dropped, and how many added
+/// Faces of a boundary that did not fit.
 struct BoundaryChanges {
   std::size_t n_dropped = 0;
   std::size_t n_added = 0;
 };
+
+/// Gives a boundary as a file has it the orientation and the completeness that writers expect: faces are turned so that
+/// they are counterclockwise seen from outside, those that no cell has, or two cells, or that stand twice, are dropped,
+/// those that lack are added as a patch of their own. Cost: O(n log n) in the faces of all cells; memory: 8 bytes each.
 BoundaryChanges fit_boundary(const VolumeMesh& mesh, Boundary& boundary);
 
 /// Neighbours in a volume mesh, as the batches of a VolumeSource over all of it. Memory: 24 bytes a cell's face.
