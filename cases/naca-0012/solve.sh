@@ -3,6 +3,6 @@
 # PATH.
 set -eu
 cd "$(dirname "$0")"
-sh ../openfoam/solve.sh 500 0
+sh ../openfoam/solve.sh 700 0
 sh ../openfoam/solve.sh 900 10
 /usr/bin/python3 evaluate.py "$@"
