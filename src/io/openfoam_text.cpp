@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <set>
+
+#include "io/boundary_output.h"
 
 namespace nearwall::io {
 namespace {
 
 using mesh::BoundaryPatch;
 using mesh::BoundaryType;
+
+constexpr bool kIsBigEndian = std::endian::native == std::endian::big;  // numbers stand as in memory
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -42,8 +47,8 @@ std::string_view foam_type(BoundaryType type) {
 std::string foam_header(FoamForm form, std::string_view foam_class, std::string_view object, std::string_view note) {
   std::string text = fmt::format(
       "FoamFile\n{{\n    version     2.0;\n    format      {};\n    class       {};\n"
-      "    arch        \"LSB;label=32;scalar=64\";\n",
-      form == FoamForm::Binary ? "binary" : "ascii", foam_class);
+      "    arch        \"{};label=32;scalar=64\";\n",
+      form == FoamForm::Binary ? "binary" : "ascii", foam_class, kIsBigEndian ? "MSB" : "LSB");
   if (!note.empty()) text += fmt::format("    note        \"{}\";\n", note);
   return text + fmt::format("    location    \"constant/polyMesh\";\n    object      {};\n}}\n\n", object);
 }
@@ -54,21 +59,7 @@ std::string foam_note(const FoamCounts& counts) {
 }
 
 IdVector<PatchId, std::string> foam_names(const IdVector<PatchId, BoundaryPatch>& patches) {
-  // Names that need no change keep them, whatever the others become.
-  std::set<std::string> taken;
-  for (const BoundaryPatch& patch : patches) {
-    if (word_of(patch.name) == patch.name) taken.insert(patch.name);
-  }
-  IdVector<PatchId, std::string> names;
-  for (const BoundaryPatch& patch : patches) {
-    const std::string word = word_of(patch.name);
-    std::string name = word;
-    if (word != patch.name) {
-      for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", word, i);
-    }
-    names.push_back(name);
-  }
-  return names;
+  return unique_names(patches, word_of, {});
 }
 
 std::string foam_boundary(FoamForm form, const IdVector<PatchId, BoundaryPatch>& patches,

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <iterator>
 #include <limits>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "io/batches.h"
+#include "io/number_text.h"
 #include "io/openfoam_text.h"
 #include "nearwall/core/errors.h"
 #include "nearwall/core/expect.h"
@@ -65,13 +65,6 @@ void require_labels(const FoamCounts& counts, FoamForm form) {
   }
 }
 
-/// A number as text that is read back as the same.
-template <class T>
-void append_text(std::string& out, T value) {
-  char text[32];
-  out.append(text, std::to_chars(std::begin(text), std::end(text), value).ptr);
-}
-
 void append_raw(std::string& out, Label value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
 
 /// A label in a list of labels.
@@ -79,7 +72,7 @@ void append_label(std::string& out, FoamForm form, std::uint64_t value) {
   if (form == FoamForm::Binary) {
     append_raw(out, static_cast<Label>(value));
   } else {
-    append_text(out, value);
+    append_integers(out, std::span<const std::uint64_t>(&value, 1));
     out += '\n';
   }
 }
@@ -90,14 +83,9 @@ void append_face(std::string& out, FoamForm form, const mesh::BoundaryFace& face
   if (form == FoamForm::Binary) {
     for (std::size_t k = 0; k < n; ++k) append_raw(out, static_cast<Label>(face[k]));
   } else {
-    append_text(out, n);
-    out += '(';
-    for (std::size_t k = 0; k < n; ++k) {
-      append_text(out, face[k]);
-      out += ' ';
-    }
-    out.back() = ')';
-    out += '\n';
+    out += n == 3 ? "3(" : "4(";
+    append_integers(out, std::span<const NodeIndex>(face.data(), n));
+    out += ")\n";
   }
 }
 
@@ -239,10 +227,8 @@ class FoamWriter {
     for (const Vec3& p : points.position) {
       if (form_ == FoamForm::Ascii) {
         bytes += '(';
-        for (int axis = 0; axis < 3; ++axis) {
-          append_text(bytes, p[axis]);
-          bytes += axis < 2 ? " " : ")\n";
-        }
+        append_coordinates(bytes, p);
+        bytes += ")\n";
       } else {
         const double xyz[] = {p.x(), p.y(), p.z()};
         bytes.append(reinterpret_cast<const char*>(xyz), sizeof xyz);
