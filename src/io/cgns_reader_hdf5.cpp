@@ -56,7 +56,8 @@ class ZoneReader {
     first_point_ = static_cast<std::int64_t>(builder_.n_points());
     read_points(zone);
     CgnsFaces faces;
-    for (const CgnsNode& section : zone.children("Elements_t")) read_section(section, layers_of(zone), faces);
+    const CgnsElements layers = layers_of(zone);
+    for (const CgnsNode& section : zone.children("Elements_t")) read_section(section, layers, faces);
     faces.add_to(builder_, zone, families_, n_points());
     first_element_ += n_elements_;
     n_elements_ = 0;
