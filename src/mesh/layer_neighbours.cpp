@@ -41,6 +41,20 @@ FaceNodes nodes_of(const CellBatch& cells, std::size_t c, const CellFace& face) 
   return nodes;
 }
 
+/// The column that holds a cell.
+std::size_t column_of(const LayerMesh& layers, CellIndex cell) {
+  std::size_t begin = 0;
+  for (std::size_t end = layers.n_columns(); begin < end;) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    if (layers.column_end(FrontFaceId(middle)) <= cell) {
+      begin = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  return begin;
+}
+
 bool has_all(const CellBatch& cells, std::size_t c, const FaceNodes& face) {
   const auto begin = cells.nodes[c].begin(), end = begin + size_of(cells.type[c]);
   return std::all_of(face.begin(), face.begin() + size_of(face),
@@ -170,17 +184,7 @@ void LayerNeighbours::read_mixed(const Run& run, const Beyond& beyond, Neighbour
 
 void LayerNeighbours::read(const CellBatch& cells, const Beyond& beyond, NeighbourBatch& out) const {
   out.resize(cells.size());
-  std::size_t column = 0;
-  for (std::size_t n = layers_->n_columns();
-       n > 0;) {  // the last column that begins at the batch's first cell or before
-    const std::size_t half = n / 2;
-    if (layers_->column_end(FrontFaceId(column + half)) <= cells.first) {
-      column += half + 1;
-      n -= half + 1;
-    } else {
-      n = half;
-    }
-  }
+  std::size_t column = column_of(*layers_, cells.first);
   for (std::size_t begin = 0; begin < cells.size(); ++column) {
     const FrontFaceId f(column);
     const std::size_t end = static_cast<std::size_t>(layers_->column_end(f) - cells.first);
