@@ -1,6 +1,7 @@
 #include "nearwall/pipeline/forecast.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -33,6 +34,7 @@ constexpr MeshBytes kDisk[] = {
     {72, 24},   // openfoam
     {120, 60},  // openfoam-ascii
 };
+static_assert(std::size(kDisk) == io::kMeshFormatNames.size());
 
 constexpr double kTetrahedraForTriangle = 2.5;
 constexpr int kTetrahedraForPoint = 6;
