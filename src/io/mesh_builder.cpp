@@ -8,6 +8,7 @@
 
 #include "io/surface_builder.h"
 #include "nearwall/core/errors.h"
+#include "nearwall/core/expect.h"
 #include "nearwall/mesh/volume_neighbours.h"
 
 namespace nearwall::io {
@@ -66,6 +67,7 @@ PatchId MeshBuilder::patch(std::string_view name, mesh::BoundaryType type) {
 }
 
 void MeshBuilder::add_face(PatchId patch, std::span<const std::int64_t> nodes, const FilePosition& where) {
+  expect(nodes.size() == 3 || nodes.size() == 4, "a triangle or a quad");
   mesh::BoundaryFace face{0, 0, 0, mesh::kNoFourthNode};
   for (std::size_t k = 0; k < nodes.size(); ++k) face[k] = checked_node(nodes[k], where);
   volume_.boundary.faces.push_back(face);
