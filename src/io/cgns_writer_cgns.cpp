@@ -14,6 +14,7 @@
 #include "io/batches.h"
 #include "io/cell_sections.h"
 #include "io/cgns_names.h"
+#include "io/format_limits.h"
 #include "io/hdf5_session.h"
 #include "io/hdf5_traces.h"
 #include "nearwall/core/errors.h"
@@ -25,7 +26,7 @@ namespace {
 using mesh::BoundaryType;
 using mesh::CellType;
 
-constexpr std::uint64_t kMost = std::numeric_limits<cgsize_t>::max();
+static_assert(kMostOfCgns <= static_cast<std::uint64_t>(std::numeric_limits<cgsize_t>::max()));
 constexpr std::size_t kFacesAtOnce = std::size_t{1} << 16;
 constexpr int kDimension = 3;
 constexpr const char* kZone = "Zone";
@@ -70,26 +71,6 @@ std::set<std::string, std::less<>> reserved_names() {
 }
 
 void ignore(int, char*) {}
-
-void require_fit(std::uint64_t n, std::string_view what, const std::filesystem::path& path) {
-  if (n <= kMost) return;
-  throw InputError(fmt::format("{}: {} {}, but the CGNS library counts to {}: write vtkhdf or vtu instead",
-                               path.string(), n, what, kMost));
-}
-
-void check_limits(const std::filesystem::path& path, const WholeMesh& mesh) {
-  require_fit(mesh.cells.n_points(), "points", path);
-  require_fit(mesh.cells.n_cells() + mesh.boundary.faces.size(), "cells and boundary faces", path);
-  const auto by_type = mesh.cells.n_cells_by_type();
-  for (std::size_t type = 0; type < by_type.size(); ++type) {
-    require_fit(by_type[type] * static_cast<std::uint64_t>(mesh::kCellSize[type]),
-                fmt::format("nodes of cells of the type {}", mesh::kCellTypeNames[type]), path);
-  }
-  require_fit(4 * mesh.boundary.faces.size(), "nodes of boundary faces", path);
-  if (mesh.cells.n_points() == 0 || mesh.cells.n_cells() == 0) {
-    throw InputError(fmt::format("{}: the mesh has no cells, and CGNS has no zones without", path.string()));
-  }
-}
 
 /// A file of the CGNS library. Its calls are made in a Hdf5Session: it has one last error, one current node.
 class CgnsFile {
@@ -315,7 +296,7 @@ class CgnsWriter {
 }  // namespace
 
 void write_cgns(const std::filesystem::path& path, const WholeMesh& mesh, ProgressSink* progress) {
-  check_limits(path, mesh);
+  require_cgns_limits(path, mesh);
   CgnsWriter(path, mesh, progress ? *progress : silent_progress()).write();
 }
 

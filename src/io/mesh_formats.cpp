@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "io/format_limits.h"
 #include "io/ugrid_layout.h"
 #include "nearwall/io/cgns_writer.h"
 #include "nearwall/io/msh_writer.h"
@@ -48,6 +49,28 @@ std::vector<std::filesystem::path> files_beside(const std::filesystem::path& pat
   const bool is_ugrid =
       format == MeshFormat::Ugrid || format == MeshFormat::UgridBig || format == MeshFormat::UgridLittle;
   return is_ugrid ? std::vector{mapbc_path(path)} : std::vector<std::filesystem::path>();
+}
+
+void require_limits(const std::filesystem::path& path, MeshFormat format, const WholeMesh& mesh) {
+  switch (format) {
+    case MeshFormat::Vtu:
+    case MeshFormat::Vtkhdf:
+    case MeshFormat::Su2:
+    case MeshFormat::Msh:
+      return;
+    case MeshFormat::Cgns:
+      return require_cgns_limits(path, mesh);
+    case MeshFormat::Ugrid:
+    case MeshFormat::UgridBig:
+    case MeshFormat::UgridLittle:
+      return require_ugrid_limits(path, mesh);
+    case MeshFormat::Msh2:
+      return require_msh22_limits(path, mesh);
+    case MeshFormat::OpenFoam:
+      return require_openfoam_limits(path, mesh, FoamForm::Binary);
+    case MeshFormat::OpenFoamAscii:
+      return require_openfoam_limits(path, mesh, FoamForm::Ascii);
+  }
 }
 
 void write_mesh(const std::filesystem::path& path, MeshFormat format, const WholeMesh& mesh, const MeshExtras& extras,

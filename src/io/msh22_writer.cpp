@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "io/batches.h"
+#include "io/format_limits.h"
 #include "io/msh_format.h"
 #include "io/msh_output.h"
 #include "io/number_text.h"
@@ -13,19 +14,6 @@
 
 namespace nearwall::io {
 namespace {
-
-/// Gmsh and other programs read the numbers of version 2.2 into 32 bits with a sign.
-void require_numbers_fit(const std::filesystem::path& path, const WholeMesh& mesh) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
-  const auto require = [&](std::uint64_t n, const char* what) {
-    if (n > kMost) {
-      throw InputError(fmt::format("{}: {} {}, but MSH 2.2 numbers {} at most; write MSH 4.1 instead", path.string(), n,
-                                   what, kMost));
-    }
-  };
-  require(mesh.cells.n_points(), "points");
-  require(mesh.cells.n_cells() + mesh.boundary.faces.size(), "cells and faces of the boundary");
-}
 
 /// Number, type, two tags (physical group, entity), nodes from 1.
 template <class Nodes>
@@ -113,7 +101,7 @@ class Msh22Writer {
 }  // namespace
 
 void write_msh22(const std::filesystem::path& path, const WholeMesh& mesh, ProgressSink& progress) {
-  require_numbers_fit(path, mesh);
+  require_msh22_limits(path, mesh);
   MshOutput out(path, mesh, progress);
   Msh22Writer(out).write();
 }

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "io/boundary_output.h"
+#include "nearwall/core/expect.h"
+#include "nearwall/mesh/cell_faces.h"
 
 namespace nearwall::io {
 namespace {
@@ -43,6 +45,30 @@ std::string_view foam_type(BoundaryType type) {
 }
 
 }  // namespace
+
+FoamCounts foam_counts(const WholeMesh& mesh) {
+  FoamCounts counts;
+  counts.n_points = mesh.cells.n_points();
+  counts.n_cells = mesh.cells.n_cells();
+  std::uint64_t n_sides = 0, n_side_corners = 0;  // each internal face twice
+  const auto n_by_type = mesh.cells.n_cells_by_type();
+  for (std::size_t type = 0; type < n_by_type.size(); ++type) {
+    for (const mesh::CellFace& face : mesh::cell_faces(static_cast<mesh::CellType>(type))) {
+      n_sides += n_by_type[type];
+      n_side_corners += face.size * n_by_type[type];
+    }
+  }
+  const std::uint64_t n_boundary = mesh.boundary.faces.size();
+  std::uint64_t n_boundary_corners = 0;
+  for (const mesh::BoundaryFace& face : mesh.boundary.faces) {
+    n_boundary_corners += static_cast<std::uint64_t>(mesh::size_of(face));
+  }
+  expect(n_sides >= n_boundary && (n_sides - n_boundary) % 2 == 0, "each face inside to be one of two cells");
+  counts.n_internal_faces = (n_sides - n_boundary) / 2;
+  counts.n_faces = counts.n_internal_faces + n_boundary;
+  counts.n_corners = (n_side_corners - n_boundary_corners) / 2 + n_boundary_corners;
+  return counts;
+}
 
 std::string foam_header(FoamForm form, std::string_view foam_class, std::string_view object, std::string_view note) {
   std::string text = fmt::format(

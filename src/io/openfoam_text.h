@@ -20,6 +20,9 @@ struct FoamCounts {
   std::uint64_t n_corners = 0;  ///< of all faces
 };
 
+/// From the numbers of cells by type and the boundary alone: each face within is one of two cells.
+FoamCounts foam_counts(const WholeMesh& mesh);
+
 /// The head of a file of a polyMesh.
 /// \param foam_class  OpenFOAM's name of what the file holds, such as "labelList"
 /// \param object      name of the file

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/batches.h"
+#include "io/format_limits.h"
 #include "io/number_text.h"
 #include "io/openfoam_text.h"
 #include "nearwall/core/errors.h"
@@ -22,48 +23,7 @@ namespace {
 
 using Label = std::int32_t;  // the header says label=32
 
-constexpr std::uint64_t kMostLabels = std::numeric_limits<Label>::max();
 constexpr CellIndex kNoOwner = ~CellIndex{0};
-
-FoamCounts count(const WholeMesh& mesh) {
-  FoamCounts counts;
-  counts.n_points = mesh.cells.n_points();
-  counts.n_cells = mesh.cells.n_cells();
-  std::uint64_t n_sides = 0, n_side_corners = 0;  // each internal face twice
-  const auto n_by_type = mesh.cells.n_cells_by_type();
-  for (std::size_t type = 0; type < n_by_type.size(); ++type) {
-    for (const mesh::CellFace& face : mesh::cell_faces(static_cast<mesh::CellType>(type))) {
-      n_sides += n_by_type[type];
-      n_side_corners += face.size * n_by_type[type];
-    }
-  }
-  const std::uint64_t n_boundary = mesh.boundary.faces.size();
-  std::uint64_t n_boundary_corners = 0;
-  for (const mesh::BoundaryFace& face : mesh.boundary.faces) {
-    n_boundary_corners += static_cast<std::uint64_t>(mesh::size_of(face));
-  }
-  expect(n_sides >= n_boundary && (n_sides - n_boundary) % 2 == 0, "each face inside to be one of two cells");
-  counts.n_internal_faces = (n_sides - n_boundary) / 2;
-  counts.n_faces = counts.n_internal_faces + n_boundary;
-  counts.n_corners = (n_side_corners - n_boundary_corners) / 2 + n_boundary_corners;
-  return counts;
-}
-
-void require_labels(const FoamCounts& counts, FoamForm form) {
-  const auto require = [](std::uint64_t n, const char* what, const char* instead) {
-    if (n <= kMostLabels) return;
-    throw InputError(
-        fmt::format("polyMesh: expected at most {} {}, as many as OpenFOAM's 32-bit labels hold, found {}; {}",
-                    kMostLabels, what, n, instead));
-  };
-  constexpr const char* kOtherFormat = "write the mesh as .vtkhdf instead";
-  require(counts.n_points, "points", kOtherFormat);
-  require(counts.n_cells, "cells", kOtherFormat);
-  require(counts.n_faces, "faces", kOtherFormat);
-  if (form == FoamForm::Binary) {
-    require(counts.n_corners, "corners of faces in binary form", "write the ascii form, or the mesh as .vtkhdf");
-  }
-}
 
 void append_raw(std::string& out, Label value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
 
@@ -170,7 +130,7 @@ class FoamWriter {
   FoamWriter(const std::filesystem::path& folder, const WholeMesh& mesh, FoamForm form)
       : mesh_(mesh),
         form_(form),
-        counts_(count(mesh)),
+        counts_(foam_counts(mesh)),
         points_file_(folder / "points"),
         faces_file_(folder / "faces"),
         owner_file_(folder / "owner"),
@@ -351,7 +311,7 @@ class FoamWriter {
 }  // namespace
 
 void write_openfoam(const std::filesystem::path& folder, const WholeMesh& mesh, FoamForm form, ProgressSink* progress) {
-  require_labels(count(mesh), form);
+  require_openfoam_limits(folder, mesh, form);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw IoError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failure.message()));

@@ -12,6 +12,7 @@
 #include "io/batches.h"
 #include "io/boundary_output.h"
 #include "io/cell_sections.h"
+#include "io/format_limits.h"
 #include "io/number_text.h"
 #include "io/ugrid_layout.h"
 #include "nearwall/core/errors.h"
@@ -64,21 +65,6 @@ class UgridNumbers {
   bool is_text_;
   bool is_turned_;
 };
-
-void require_32_bits(const std::filesystem::path& path, const WholeMesh& mesh) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
-  const auto require = [&](std::uint64_t n, std::string_view what) {
-    if (n <= kMost) return;
-    throw InputError(
-        fmt::format("{}: the mesh has {} {}, but UGRID's numbers of 32 bits hold {} at most; write vtkhdf or su2",
-                    path.string(), n, what, kMost));
-  };
-  require(mesh.cells.n_points(), "points");
-  const auto n_cells = mesh.cells.n_cells_by_type();
-  constexpr std::array<std::string_view, mesh::kNCellTypes> kNames = {"tetrahedra", "pyramids", "wedges", "hexahedra"};
-  for (std::size_t type = 0; type < n_cells.size(); ++type) require(n_cells[type], kNames[type]);
-  require(mesh.boundary.faces.size(), "boundary faces");
-}
 
 /// Finds out to which axis the patches of symmetry planes are normal, from points that come batch after batch.
 class SymmetryAxes {
@@ -263,7 +249,7 @@ class UgridWriter {
 }  // namespace
 
 void write_ugrid(const std::filesystem::path& path, const WholeMesh& mesh, UgridForm form, ProgressSink* progress) {
-  require_32_bits(path, mesh);
+  require_ugrid_limits(path, mesh);
   UgridWriter(path, mesh, form).write(progress ? *progress : silent_progress());
 }
 

@@ -103,6 +103,9 @@ void write_mesh_files(const Result& result, const MeshToWrite& mesh, const std::
   const io::CellArray arrays[] = {scaled_jacobians()};
   const io::MeshExtras extras{arrays, result.wall.surface.patch_names.raw()};
   for (const io::MeshFormat format : formats) {
+    io::require_limits(output.path() / io::mesh_file_names(name, format).front(), format, whole);
+  }
+  for (const io::MeshFormat format : formats) {
     staged(progress, fmt::format("writing {}", io::name_of(format)), [&] {
       const auto files = io::mesh_file_names(name, format);
       for (const std::string& file : files) {

@@ -50,6 +50,11 @@ struct MeshExtras {
   std::vector<std::string> patch_names;  ///< of the array `Patch`
 };
 
+/// Whether the format can hold the mesh, for asking before the first of several is written: write_mesh says the same.
+/// \param path  for the message
+/// \throws InputError  a 32-bit limit of the format is exceeded
+void require_limits(const std::filesystem::path& path, MeshFormat format, const WholeMesh& mesh);
+
 /// Writes a mesh; what each format keeps: docs/formats.md.
 /// \param path  of the file; for OpenFOAM of the folder polyMesh, which is made
 /// \throws InputError  a 32-bit limit of the format is exceeded, before anything is written; IoError
