@@ -19,19 +19,21 @@ namespace fs = std::filesystem;
 /// Whether files of that name hold cells alone.
 bool is_without_boundary(const fs::path& path) { return io::is_volume_name(path) && !io::has_named_faces(path); }
 
-void add_boundary(const std::string& path, const std::optional<std::string>& given, io::VolumeFile& file,
-                  Console& console) {
+/// \returns  the file from which it was read; empty if that is the mesh's own, or none
+fs::path add_boundary(const std::string& path, const std::optional<std::string>& given, io::VolumeFile& file,
+                      Console& console) {
   if (!is_without_boundary(path)) {
     if (given) throw InputError(fmt::format("--boundary: {} holds its patches itself", path));
-    return;
+    return {};
   }
   const fs::path beside = given ? fs::path(*given) : io::boundary_file_of(path);
   if (!given && !fs::exists(beside)) {
     console.say(
         fmt::format("{} holds no patches and {} is not there: the boundary will be one patch", path, beside.string()));
-    return;
+    return {};
   }
   file.boundary = io::read_boundary(beside, file.mesh.points.size());
+  return beside;
 }
 
 void tell(const mesh::BoundaryChanges& changes, const io::VolumeFile& file, Console& console) {
@@ -56,8 +58,10 @@ MeshOfFile read_mesh(const std::string& path, const std::optional<std::string>& 
                     "surface is written as stl, obj, ply, off, vtp or vtk",
                     path));
   }
-  add_boundary(path, boundary, mesh.file, console);
-  tell(mesh::fit_boundary(mesh.file.mesh, mesh.file.boundary), mesh.file, console);
+  const fs::path boundary_file = add_boundary(path, boundary, mesh.file, console);
+  const mesh::BoundaryChanges changes = mesh::fit_boundary(mesh.file.mesh, mesh.file.boundary);
+  if (changes.n_added + changes.n_dropped == 0) mesh.boundary_file = boundary_file;
+  tell(changes, mesh.file, console);
   for (const mesh::CellType type : mesh.file.mesh.type) ++mesh.n_cells_by_type[static_cast<std::size_t>(type)];
   return mesh;
 }
@@ -67,15 +71,21 @@ std::vector<std::string> write_mesh_as(const std::string& path, io::MeshFormat f
   const mesh::VolumeSource cells(mesh.file.mesh);
   const mesh::VolumeNeighbours neighbours(mesh.file.mesh, mesh.file.boundary);
   const io::WholeMesh whole{cells, mesh.file.boundary, neighbours, fs::path(path).stem().string()};
+  const fs::path beside = io::boundary_file_of(path);
+  // One that is there and says the same stays: a run writes more into it.
+  const bool is_beside =
+      !mesh.boundary_file.empty() && fs::exists(beside) && fs::equivalent(beside, mesh.boundary_file);
+  const bool makes_boundary = !io::has_boundary(format) && !is_beside;
+  // That of an older mesh goes first: at no time does it stand beside the new one.
+  if (std::error_code ignored; makes_boundary) fs::remove(beside, ignored);
   std::vector<std::string> files = {path};
   staged(console, "writing", [&] { io::write_mesh(path, format, whole, {{}, mesh.file.patch_names}, &console); });
-  for (const fs::path& beside : io::files_beside(path, format)) files.push_back(beside.string());
-  if (!io::has_boundary(format)) {
-    const fs::path beside = io::boundary_file_of(path);
+  for (const fs::path& other : io::files_beside(path, format)) files.push_back(other.string());
+  if (makes_boundary) {
     io::write_polydata(
         beside, io::boundary_polydata(mesh.file.boundary, [&](NodeIndex node) { return mesh.file.mesh.points[node]; }));
-    files.push_back(beside.string());
   }
+  if (!io::has_boundary(format)) files.push_back(beside.string());
   return files;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace nearwall::program {
 struct MeshOfFile {
   io::VolumeFile file;
   std::array<CellIndex, mesh::kNCellTypes> n_cells_by_type{};
+  std::filesystem::path boundary_file;  ///< from which all patches came as they are; else empty
 };
 
 /// Reads a mesh and its patches; tells what had to be added to or left out of these.
@@ -22,7 +24,7 @@ struct MeshOfFile {
 /// \throws InputError  also if the file has no cells, or faces of more than two cells
 MeshOfFile read_mesh(const std::string& path, const std::optional<std::string>& boundary, Console& console);
 
-/// Writes it. \returns the files that were written, the mesh first
+/// Writes it. \returns the files of the mesh, itself first
 std::vector<std::string> write_mesh_as(const std::string& path, io::MeshFormat format, const MeshOfFile& mesh,
                                        Console& console);
 

@@ -170,6 +170,21 @@ TEST(ConvertMeshes, SaysWhereThereAreNoPatches) {
   expect_same(place.path("b.su2"), mesh);
 }
 
+TEST(ConvertMeshes, LeavesTheBoundaryBesideBothAsItIs) {
+  const Stored mesh = small_mesh();
+  Workplace place;
+  write(place, "a.vtu", mesh);
+  auto boundary = io::boundary_polydata(mesh.boundary(), [&](NodeIndex node) { return mesh.mesh().points[node]; });
+  boundary.triangle_data.push_back({"Triangle", std::vector<std::int32_t>(mesh.boundary().faces.size(), 7)});
+  io::write_polydata(place.path("a-boundary.vtp"), boundary);
+  const std::string before = place.read("a-boundary.vtp");
+  ASSERT_EQ(place.run({"convert", "a.vtu", "a.vtkhdf"}).exit_code, 0);
+  EXPECT_EQ(place.read("a-boundary.vtp"), before);
+  ASSERT_EQ(place.run({"convert", "a.vtu", "b.vtkhdf"}).exit_code, 0);
+  EXPECT_TRUE(place.has("b-boundary.vtp"));
+  expect_same(place.path("a.vtkhdf"), mesh);
+}
+
 TEST(ConvertMeshes, RefusesTheBoundaryOfAnotherMesh) {
   Workplace place;
   write(place, "a.vtu", small_mesh());
