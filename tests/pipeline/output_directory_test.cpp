@@ -80,6 +80,31 @@ TEST(OutputDirectory, ReplacesResultsOfAnEarlierRun) {
   EXPECT_FALSE(fs::exists(folder / "out/wing-faults.vtp"));
 }
 
+TEST(OutputDirectory, ReplacesAFolderOfTheMeshAndNothingBesideIt) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "out/wing-openfoam/constant/polyMesh");
+  fs::create_directories(folder / "out/wing-openfoam/0");
+  folder.write("out/wing-openfoam/constant/polyMesh/points", "old");
+  folder.write("out/wing-openfoam/constant/polyMesh/pointZones", "old");
+  folder.write("out/wing-openfoam/0/U", "mine");
+  OutputDirectory output(folder / "out", "wing", false);
+  const fs::path mesh = output.aside("wing-openfoam/constant/polyMesh");
+  fs::create_directories(mesh);
+  write(mesh / "points", "new");
+  EXPECT_EQ(folder.read("out/wing-openfoam/constant/polyMesh/points"), "old") << "kept until there is something new";
+  output.publish();
+  EXPECT_EQ(folder.read("out/wing-openfoam/constant/polyMesh/points"), "new");
+  EXPECT_FALSE(fs::exists(folder / "out/wing-openfoam/constant/polyMesh/pointZones"));
+  EXPECT_EQ(folder.read("out/wing-openfoam/0/U"), "mine");
+}
+
+TEST(OutputDirectory, TakesFoldersOfAnotherCaseForOtherThings) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "winglet-openfoam");
+  EXPECT_THROW(OutputDirectory(folder.path(), "wing", false), InputError);
+  EXPECT_NO_THROW(OutputDirectory(folder.path(), "winglet", false));
+}
+
 TEST(OutputDirectory, DoesNotTouchAFolderThatHoldsOtherThings) {
   const ScratchFolder folder;
   folder.write("thesis.tex", "years");

@@ -33,7 +33,7 @@ struct WholeCase {
 /// Thin layers of high aspect ratio have a small determinant, as have cells in corners with few faces inside.
 const std::string kDeterminant = "Cells with small determinant (< 0.001) found";
 const std::string kAspect = "High aspect ratio cells found";
-/// A tetrahedron or a window's neighbour beside the last of the layers, whose heights still are small there.
+/// Cells over virtual faces of ridges: they have no width at the wall, and stand beside columns on whole triangles.
 const std::string kWeight = "Faces with small interpolation weight (< 0.05) found";
 const std::string kRatio = "Faces with small volume ratio (< 0.01) found";
 
