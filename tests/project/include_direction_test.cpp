@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -85,6 +86,17 @@ TEST(IncludeDirection, ModulesSeeOnlyWhatTheirRowNames) {
     EXPECT_TRUE(allowed.at(include.module).contains(match[1])) << include.file << " includes " << include.what;
   }
   EXPECT_GT(n, 100u) << "the includes were not found at all";
+}
+
+TEST(IncludeDirection, EveryPublicHeaderIsInstalled) {
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / "include/nearwall")) {
+    if (entry.path().extension() != ".h") continue;
+    const fs::path list = kSource / "src" / entry.path().parent_path().filename() / "CMakeLists.txt";
+    std::ifstream file(list);
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + entry.path().filename().string() + "\\b")))
+        << entry.path() << " is not in the HEADERS of " << list;
+  }
 }
 
 TEST(IncludeDirection, TheTableHasNoCycle) {
