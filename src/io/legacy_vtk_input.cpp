@@ -140,6 +140,22 @@ CellList LegacyVtkInput::read_offset_cells(std::size_t n_offsets, std::size_t si
   return cells;
 }
 
+LegacyGrid LegacyVtkInput::read_grid() {
+  LegacyGrid grid;
+  for (std::string_view keyword = next_section(); !keyword.empty(); keyword = next_section()) {
+    if (same_word(keyword, "POINTS")) {
+      grid.points = read_points();
+    } else if (same_word(keyword, "CELLS")) {
+      grid.cells = read_cells();
+    } else if (same_word(keyword, "CELL_TYPES")) {
+      grid.types = read_integers(in_.integer("the number of cells"), ScalarType::Int32);
+    } else {
+      read_other(keyword);
+    }
+  }
+  return grid;
+}
+
 void LegacyVtkInput::read_field() {
   in_.word_of_line();  // its name
   const std::int64_t n_arrays = in_.integer("the number of arrays");

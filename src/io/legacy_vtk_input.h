@@ -13,6 +13,13 @@ namespace nearwall::io {
 
 class PointArrays;
 
+/// Points and cells of an unstructured grid, as the file has them.
+struct LegacyGrid {
+  std::vector<Vec3> points;
+  std::vector<std::int64_t> types;  ///< VTK's numbers
+  CellList cells;
+};
+
 /// A legacy VTK file as both its readers see it, surfaces' and meshes': the header, points, cells, numbers in ascii and
 /// binary, and all the sections that stand in any data set. What may be patch numbers or their names is kept.
 class LegacyVtkInput {
@@ -32,6 +39,9 @@ class LegacyVtkInput {
   std::vector<std::int64_t> read_integers(std::int64_t n, ScalarType type) { return read_all<std::int64_t>(n, type); }
   /// Sections of any data set: METADATA, FIELD, CELL_DATA, POINT_DATA and the arrays in them.
   void read_other(std::string_view keyword);
+
+  /// All sections of an UNSTRUCTURED_GRID up to the end of the file. Counts are not held against each other.
+  LegacyGrid read_grid();
 
   /// From now on point data of one number each goes there.
   void keep_point_arrays(PointArrays& arrays) { point_arrays_ = &arrays; }

@@ -12,20 +12,11 @@ namespace {
 
 /// The triangles, quads and polygons of an unstructured grid, such as the boundary of a volume mesh.
 PolyDataInput faces_of_grid(LegacyVtkInput& in) {
+  LegacyGrid grid = in.read_grid();
+  const std::vector<std::int64_t>& types = grid.types;
+  const CellList& cells = grid.cells;
   PolyDataInput data;
-  CellList cells;
-  std::vector<std::int64_t> types;
-  for (std::string_view keyword = in.next_section(); !keyword.empty(); keyword = in.next_section()) {
-    if (same_word(keyword, "POINTS")) {
-      data.points = in.read_points();
-    } else if (same_word(keyword, "CELLS")) {
-      cells = in.read_cells();
-    } else if (same_word(keyword, "CELL_TYPES")) {
-      types = in.read_integers(in.cursor().integer("the number of cells"), ScalarType::Int32);
-    } else {
-      in.read_other(keyword);
-    }
-  }
+  data.points = std::move(grid.points);
   if (types.size() != cells.ends.size()) {
     in.cursor().fail(fmt::format("there are {} types for {} cells", types.size(), cells.ends.size()));
   }
